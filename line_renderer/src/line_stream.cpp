@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "laplacian_lines/line_visibility.h"
+#include "laplacian_lines/threads.h"
 #include "straight_piece.h"
-#include "system/parallel.h"
 
 namespace line_renderer {
 

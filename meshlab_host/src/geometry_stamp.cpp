@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "hash.h"
+#include "laplacian_lines/threads.h"
 #include "meshlab_host/mesh_conversion.h"
-#include "system/parallel.h"
 
 namespace meshlab_host {
 namespace {

@@ -34,12 +34,6 @@ def exit_code(returncode):
     return returncode if returncode >= 0 else 128 - returncode
 
 
-def skip(reason):
-    """Ends a test, as a failure where LAPLACIAN_LINES_REQUIRED is true."""
-    print(f"skipped: {reason}")
-    sys.exit(1 if os.environ.get("LAPLACIAN_LINES_REQUIRED") == "true" else 77)
-
-
 def run_main(main):
     """Runs main(), which returns an exit code or None, and ends the script, at once on a signal."""
     for number in (signal.SIGINT, signal.SIGTERM):

@@ -11,13 +11,33 @@
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/precompute.h"
-#include "with_instruction_set.h"
+#include "system/simd_sets.h"
 #include "with_threads.h"
 
 namespace {
 
 using namespace laplacian_lines;
 using test_meshes::WithThreads;
+
+/// Restores the set of before.
+class WithInstructionSet {
+public:
+    explicit WithInstructionSet(InstructionSet set) { use_instruction_set(set); }
+    ~WithInstructionSet() { use_instruction_set(before_); }
+    WithInstructionSet(const WithInstructionSet&) = delete;
+    WithInstructionSet& operator=(const WithInstructionSet&) = delete;
+
+private:
+    const InstructionSet before_ = instruction_set();
+};
+
+/// What the processor and the build have but for the widest, which is in use.
+std::vector<InstructionSet> narrower_sets() {
+    std::vector<InstructionSet> sets;
+    for (int set = 0; set < int(instruction_set()); ++set)
+        sets.push_back(InstructionSet(set));
+    return sets;
+}
 
 Field with_threads(int threads, const TriangleMesh& mesh, const PrecomputeOptions& options) {
     const WithThreads scope(threads);
@@ -54,7 +74,7 @@ TEST(Determinism, FieldsDoNotDependOnTheNumberOfThreads) {
 TEST(Determinism, FieldsDoNotDependOnTheInstructionSet) {
     if (narrower_sets().empty()) GTEST_SKIP() << "there is one";
     for_each_way([](const TriangleMesh& mesh, PrecomputeOptions options) {
-        for (const double accuracy : {options.accuracy, 1e-6}) {  // summed quickly, in doubles
+        for (const double accuracy : {options.accuracy, 1e-6}) {  // summed quickly, exactly
             options.accuracy = accuracy;
             const Field widest = precompute(mesh, options);
             for (InstructionSet set : narrower_sets()) {
@@ -98,6 +118,27 @@ TEST(Determinism, LinesDoNotDependOnTheNumberOfThreads) {
             for (std::size_t i = 0; i < one.size(); ++i)
                 EXPECT_TRUE(helpers::same_lines(one[i], others[i])) << threads << " threads";
         }
+    }
+}
+
+TEST(InstructionSets, GiveTheSameBits) {
+    if (narrower_sets().empty()) GTEST_SKIP() << "there is one";
+    LineStyle whole = helpers::all_kinds();
+    whole.whole_lines = true;
+    for (const char* name :
+         {"bumpy_sphere", "half_torus", "three_sheets", "flipped_torus", "cube"}) {
+        const TriangleMesh& mesh = test_meshes::mesh_named(name).mesh;
+        const LineExtractor extractor(mesh, helpers::complete_field(mesh));
+        for (const View& view : helpers::random_views(mesh, 12))
+            for (const LineStyle& style :
+                 {LineStyle(), whole, helpers::all_crossings_of_all_kinds()}) {
+                const LineSet best = helpers::extract(extractor, view, style);
+                for (const InstructionSet set : narrower_sets()) {
+                    const WithInstructionSet scope(set);
+                    EXPECT_TRUE(helpers::same_lines(best, helpers::extract(extractor, view, style)))
+                        << name << ", instruction set " << int(set);
+                }
+            }
     }
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The core as in a plugin, for unload_core. By an internal header: with more of the core, the
-// compiler's unique symbols keep a library from being unloaded at all.
+// The core as in a plugin, for unload_core. With more of the core, the compiler's unique symbols
+// keep a library from being unloaded at all.
 #include <atomic>
 
-#include "system/parallel.h"
+#include "laplacian_lines/threads.h"
 
 extern "C" int count_on_threads(int count) {
     std::atomic<int> done{0};

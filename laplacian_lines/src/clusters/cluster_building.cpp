@@ -8,11 +8,11 @@
 #include <cstring>
 #include <limits>
 
-#include "clusters/bounded.h"
+#include "clusters/cluster_partition.h"
 #include "clusters/coarseness.h"
 #include "clusters/linear_forms.h"
 #include "rules/convexity.h"
-#include "system/parallel.h"
+#include "system/large_array.h"
 
 namespace laplacian_lines {
 namespace {
@@ -24,6 +24,13 @@ constexpr double kPartitioned = 0.4, kLinked = 0.6, kLaidOut = 0.65;
 constexpr double kLeastSheetBorders = 2;
 
 constexpr double kLargestSlopeScale = 1e15;
+
+/// Values of a vertex as clusters hold them, local.
+struct LocalVertex {
+    Eigen::Vector3d position, normal;
+    ShapeOperator shape_operator;  ///< S·D
+    float slope_scale;             ///< h_e(p)^1.5
+};
 
 VertexRecord make_record(const LocalVertex& v) {
     const ShapeOperator& s = v.shape_operator;
@@ -64,203 +71,231 @@ Eigen::Vector3d centre_of(const std::vector<LocalVertex>& values) {
     return box.center();
 }
 
-}  // namespace
+class ClusterBuilder {
+public:
+    ClusterBuilder(const PreparedMesh& mesh, const Field& field, ExtractorData& data)
+        : mesh_(mesh), field_(field), data_(data) {}
 
-ClusterBuilder::ClusterBuilder(const PreparedMesh& mesh, const Field& field, ExtractorData& data)
-    : mesh_(mesh), field_(field), data_(data), plain_(mesh) {}
-
-void ClusterBuilder::build(const StageProgress& stage) {
-    stage.report(0);
-    coarse_ = find_coarse_triangles(mesh_, field_);
-    const CornerTable sides(mesh_.triangles, mesh_.size());
-    partition_ = partition(mesh_, sides, coarse_);
-    stage.report(kPartitioned);
-    links_ = link_clusters(mesh_, sides, coarse_, partition_);
-    data_.border_edge_count = links_.number_count;
-    data_.vertex_count = std::uint32_t(mesh_.size());
-    data_.is_sheet = is_sheet();
-    find_convex();
-    stage.report(kLinked);
-    data_.allocate(lay_out());
-    parallel_for<Values>(partition_.ranges.size(), stage.part(kLaidOut, 1),
-                         [&](std::size_t c, Values& values) { write_cluster(c, values); });
-}
-
-void ClusterBuilder::find_convex() {
-    convex_.resize(mesh_.size());
-    for_each_element(mesh_.size(), [&](std::size_t v) {
-        convex_[v] = is_convex(local_shape_operator(mesh_.original_vertex[v]));
-    });
-    convex_around_ = convex_;
-    for (const Triangle& t : mesh_.triangles)
-        if (!convex_[t[0]] || !convex_[t[1]] || !convex_[t[2]])
-            convex_around_[t[0]] = convex_around_[t[1]] = convex_around_[t[2]] = 0;
-}
-
-bool ClusterBuilder::is_sheet() const {
-    const double borders = sum_of(3 * mesh_.triangles.size(), [&](std::size_t side) {
-        if (links_.across[side] != ClusterLinks::kNobody) return 0.;
-        const Triangle& t = mesh_.triangles[partition_.order[side / 3]];
-        return (mesh_.positions[t[side % 3]] - mesh_.positions[t[(side + 1) % 3]]).norm();
-    });
-    if (borders == 0) return false;
-    const double area = sum_of(mesh_.triangles.size(), [&](std::size_t i) {
-        return area_vector(mesh_, mesh_.triangles[i]).norm() / 2;
-    });
-    return borders > kLeastSheetBorders * std::sqrt(area);
-}
-
-std::size_t ClusterBuilder::lay_out() {
-    const std::size_t clusters = partition_.ranges.size();
-    data_.clusters.resize(clusters);
-    std::vector<std::uint32_t> shared_edges(clusters);
-    in_parallel(clusters, [&](std::size_t c) {
-        const auto sides = links_.across.begin();
-        const ClusterRange& range = partition_.ranges[c];
-        shared_edges[c] = std::uint32_t(std::count_if(sides + 3 * std::size_t(range.begin),
-                                                      sides + 3 * std::size_t(range.end),
-                                                      ClusterLinks::is_number));
-    });
-    std::size_t units = 0, vertices = 0, edges = 0, groups = 0;
-    for (std::size_t c = 0; c < clusters; ++c) {
-        const ClusterRange& range = partition_.ranges[c];
-        Cluster& cluster = data_.clusters[c];
-        cluster.first_unit = std::uint32_t(units);
-        cluster.first_border_edge = std::uint32_t(edges);
-        cluster.vertex_count = std::uint8_t(range.vertex_count);
-        cluster.first_vertex = std::uint32_t(vertices);
-        cluster.triangle_count = std::uint8_t(range.end - range.begin);
-        cluster.first_form_group = std::uint32_t(groups);
-        groups += form_groups(cluster);
-        units += cluster_layout(cluster).end / kCacheUnit;
-        vertices += range.vertex_count;
-        edges += shared_edges[c];
+    void build(const StageProgress& stage) {
+        stage.report(0);
+        coarse_ = find_coarse_triangles(mesh_, field_);
+        plain_ = find_plain_triangles(mesh_);
+        const CornerTable sides(mesh_.triangles, mesh_.size());
+        partition_ = partition(mesh_, sides, coarse_);
+        stage.report(kPartitioned);
+        links_ = link_clusters(mesh_, sides, coarse_, partition_);
+        data_.border_edge_count = links_.number_count;
+        data_.vertex_count = std::uint32_t(mesh_.size());
+        judge_borders();
+        data_.horizon =
+            find_coarse_horizon(mesh_, field_, sides, coarse_, partition_, links_, data_.is_body);
+        find_convex();
+        stage.report(kLinked);
+        data_.memory_of_clusters = large_array<ExtractorData::Unit>(lay_out());
+        data_.bounds.resize((data_.clusters.size() + kFormGroup - 1) / kFormGroup);
+        parallel_for<Values>(partition_.ranges.size(), stage.part(kLaidOut, 1),
+                             [&](std::size_t c, Values& values) { write_cluster(c, values); });
     }
-    data_.vertices_of_clusters.resize(vertices);
-    data_.border_edges.resize(edges);
-    return units * kCacheUnit;
-}
 
-void ClusterBuilder::write_cluster(std::size_t c, Values& values) {
-    const Cluster& cluster = data_.clusters[c];
-    unsigned char* memory =
-        data_.memory_of_clusters.get() + cluster.first_unit * std::size_t(kCacheUnit);
-    std::memset(memory, 0, cluster_layout(cluster).end);
-    list_vertices(c, values);
-    write_triangles(c, memory);
-    mark_triangles(c);
-    write_vertices(c, values, memory);
-    write_bounds(c, values);
-}
+private:
+    using Values = std::vector<LocalVertex>;  // of a cluster's vertices
 
-ShapeOperator ClusterBuilder::local_shape_operator(std::uint32_t v) const {
-    const ShapeOperator& s = field_.shape_operators[v];
-    const auto curvature = [&](float x) {
-        return float(bounded(x * data_.diagonal, kLargestCurvature));
-    };
-    return {curvature(s.xx), curvature(s.yy), curvature(s.zz),
-            curvature(s.yz), curvature(s.xz), curvature(s.xy)};
-}
+    /// Finds the vertices that are convex by is_convex(), as are all their neighbours.
+    void find_convex() {
+        convex_.resize(mesh_.size());
+        for_each_element(mesh_.size(), [&](std::size_t v) {
+            convex_[v] = is_convex(local_shape_operator(mesh_.original_vertex[v]));
+        });
+        convex_around_ = convex_;
+        for (const Triangle& t : mesh_.triangles)
+            if (!convex_[t[0]] || !convex_[t[1]] || !convex_[t[2]])
+                convex_around_[t[0]] = convex_around_[t[1]] = convex_around_[t[2]] = 0;
+    }
 
-LocalVertex ClusterBuilder::local_vertex(std::uint32_t prepared) const {
-    const std::uint32_t v = mesh_.original_vertex[prepared];
-    const double d = data_.diagonal;
-    const double size = field_.kernel_sizes[v] / d;
-    // The smoothing of the normals follows the adaptive kernel, see PrecomputeOptions.
-    const FieldScale& scale = field_.scale;
-    const double sigma = scale.normal_sigma / d * (size / (scale.kernel_size / scale.diagonal));
-    const double squared_effective = size * size + sigma * sigma / 2;  // h_e
-    return {mesh_.positions[prepared], bounded(field_.normals[v], 1, 2), local_shape_operator(v),
-            float(bounded(squared_effective * std::sqrt(squared_effective), kLargestSlopeScale))};
-}
-
-void ClusterBuilder::list_vertices(std::size_t c, Values& values) {
-    const ClusterRange& range = partition_.ranges[c];
-    std::uint32_t* vertices = data_.vertices_of_clusters.data() + data_.clusters[c].first_vertex;
-    for (std::uint32_t p = range.begin; p < range.end; ++p)
-        for (std::size_t k = 0; k < 3; ++k)
-            vertices[partition_.corners[3 * std::size_t(p) + k]] =
-                mesh_.triangles[partition_.order[p]][k];
-    values.clear();
-    for (std::uint32_t i = 0; i < range.vertex_count; ++i)
-        values.push_back(local_vertex(vertices[i]));
-}
-
-void ClusterBuilder::write_triangles(std::size_t c, unsigned char* memory) {
-    const Cluster& cluster = data_.clusters[c];
-    const ClusterLayout layout = cluster_layout(cluster);
-    std::uint32_t* edges = data_.border_edges.data() + cluster.first_border_edge;
-    unsigned edge_count = 0;
-    const std::uint32_t first = partition_.ranges[c].begin;
-    const auto neighbour = [&](std::uint32_t across) {
-        if (across == ClusterLinks::kNobody) return kNoNeighbour;
-        if (!ClusterLinks::is_number(across)) return std::uint8_t(across - first);
-        edges[edge_count] = across - ClusterLinks::kNumber;
-        return std::uint8_t(cluster.triangle_count + edge_count++);
-    };
-    for (unsigned i = 0; i < cluster.triangle_count; ++i) {
-        unsigned char* corners = memory + layout.corners + place_of_corners(i);
-        for (unsigned k = 0; k < 3; ++k) {
-            const std::size_t side = 3 * std::size_t(first + i) + k;
-            corners[k * kMaskGroup] = partition_.corners[side];
-            memory[layout.neighbours + 3 * i + k] = neighbour(links_.across[side]);
+    void judge_borders() {
+        const double borders = sum_of(3 * mesh_.triangles.size(), [&](std::size_t side) {
+            if (links_.across[side] != ClusterLinks::kNobody) return 0.;
+            const Triangle& t = mesh_.triangles[partition_.order[side / 3]];
+            return (mesh_.positions[t[side % 3]] - mesh_.positions[t[(side + 1) % 3]]).norm();
+        });
+        const auto sum_over_triangles = [&](auto value_of) {
+            return sum_of(mesh_.triangles.size(),
+                          [&](std::size_t i) { return value_of(mesh_.triangles[i]); });
+        };
+        if (borders > 0) {
+            const double area = sum_over_triangles(
+                [&](const Triangle& t) { return area_vector(mesh_, t).norm() / 2; });
+            data_.is_sheet = borders > kLeastSheetBorders * std::sqrt(area);
+        } else {
+            const double volume = sum_over_triangles([&](const Triangle& t) {  // six times
+                return mesh_.positions[t[0]].dot(
+                    mesh_.positions[t[1]].cross(mesh_.positions[t[2]]));
+            });
+            data_.is_body = volume > 0;
         }
     }
-}
 
-void ClusterBuilder::mark_triangles(std::size_t c) {
-    Cluster& cluster = data_.clusters[c];
-    const std::uint32_t first = partition_.ranges[c].begin;
-    const auto mark = [&](std::uint64_t* bits, const auto& is_marked) {
-        for (unsigned i = 0; i < cluster.triangle_count; ++i)
-            bits[i / kMaskGroup] |= std::uint64_t(is_marked(i)) << i % kMaskGroup;
-    };
-    const auto all_corners = [&](const std::vector<std::uint8_t>& vertices) {
-        return [&](unsigned i) {
-            const Triangle& t = mesh_.triangles[partition_.order[first + i]];
-            return vertices[t[0]] && vertices[t[1]] && vertices[t[2]];
-        };
-    };
-    mark(cluster.convex, all_corners(convex_));
-    mark(cluster.convex_around, all_corners(convex_around_));
-    mark(cluster.coarse, [&](unsigned i) { return coarse_[partition_.order[first + i]] != 0; });
-    mark(cluster.plain, [&](unsigned i) { return plain_.contain(partition_.order[first + i]); });
-}
-
-void ClusterBuilder::write_vertices(std::size_t c, const Values& values,
-                                    unsigned char* memory) const {
-    const Cluster& cluster = data_.clusters[c];
-    const ClusterLayout layout = cluster_layout(cluster);
-    auto* records = reinterpret_cast<VertexRecord*>(memory + layout.records);
-    for (std::size_t i = 0; i < values.size(); ++i)
-        records[i] = make_record(values[i]);
-    write_forms(reinterpret_cast<FormGroup*>(memory), cluster, [&](unsigned i) {
-        return FormVector{values[i].normal, values[i].position};
-    });
-}
-
-void ClusterBuilder::write_bounds(std::size_t c, const Values& values) {
-    const Eigen::Vector3d centre = centre_of(values);
-    const VectorBox normals = enclose_normals(values);
-    double low = std::numeric_limits<double>::max(), high = -low;
-    for (const LocalVertex& v : values) {
-        const double height = v.normal.dot(v.position - centre);
-        low = std::min(low, height);
-        high = std::max(high, height);
+    /// Finds where the parts of each cluster begin. Returns the units that clusters need.
+    std::size_t lay_out() {
+        data_.clusters.resize(partition_.ranges.size());
+        std::size_t units = 0, vertices = 0, edges = 0, groups = 0;
+        for (std::size_t c = 0; c < data_.clusters.size(); ++c) {
+            const ClusterRange& range = partition_.ranges[c];
+            Cluster& cluster = data_.clusters[c];
+            cluster.first_unit = std::uint32_t(units);
+            cluster.first_border_edge = std::uint32_t(edges);
+            cluster.vertex_count = std::uint8_t(range.vertex_count);
+            cluster.first_vertex = std::uint32_t(vertices);
+            cluster.triangle_count = std::uint8_t(range.end - range.begin);
+            cluster.first_form_group = std::uint32_t(groups);
+            groups += form_groups(cluster);
+            units += cluster_layout(cluster).end / kCacheUnit;
+            vertices += range.vertex_count;
+            edges += std::size_t(std::count_if(
+                links_.across.begin() + 3 * std::ptrdiff_t(range.begin),
+                links_.across.begin() + 3 * std::ptrdiff_t(range.end), ClusterLinks::is_number));
+        }
+        data_.vertices_of_clusters.resize(vertices);
+        data_.border_edges.resize(edges);
+        return units;
     }
-    float* out = data_.bounds.data() + c;
-    const auto write = [&](double number) {
-        *out = float(number);
-        out += data_.padded_cluster_count();
-    };
-    for (const auto& vector : {centre, normals.centre})
-        for (const double x : vector)
-            write(x);
-    for (const auto& axis : normals.half_axes.colwise())
-        for (const double x : axis)
-            write(x);
-    write((low + high) / 2);
-    write((high - low) / 2);
+
+    void write_cluster(std::size_t c, Values& values) {
+        const Cluster& cluster = data_.clusters[c];
+        unsigned char* memory = reinterpret_cast<unsigned char*>(data_.memory_of_clusters.data()) +
+                                cluster.first_unit * std::size_t(kCacheUnit);
+        std::memset(memory, 0, cluster_layout(cluster).end);
+        list_vertices(c, values);
+        write_triangles(c, memory);
+        mark_triangles(c);
+        write_vertices(c, values, memory);
+        write_bounds(c, values);
+    }
+
+    /// S·D of a vertex of the original mesh.
+    ShapeOperator local_shape_operator(std::uint32_t v) const {
+        const ShapeOperator& s = field_.shape_operators[v];
+        const auto curvature = [&](float x) {
+            return float(bounded(x * data_.diagonal, kLargestCurvature));
+        };
+        return {curvature(s.xx), curvature(s.yy), curvature(s.zz),
+                curvature(s.yz), curvature(s.xz), curvature(s.xy)};
+    }
+
+    LocalVertex local_vertex(std::uint32_t prepared) const {
+        const std::uint32_t v = mesh_.original_vertex[prepared];
+        const double d = data_.diagonal;
+        const double size = field_.kernel_sizes[v] / d;
+        // The smoothing of the normals follows the adaptive kernel, see PrecomputeOptions.
+        const FieldScale& scale = field_.scale;
+        const double sigma = scale.normal_sigma / d * (size / (scale.kernel_size / scale.diagonal));
+        const double squared_effective = size * size + sigma * sigma / 2;  // h_e
+        return {
+            mesh_.positions[prepared], bounded(field_.normals[v], 1, 2), local_shape_operator(v),
+            float(bounded(squared_effective * std::sqrt(squared_effective), kLargestSlopeScale))};
+    }
+
+    /// Lists the cluster's vertices with their values.
+    void list_vertices(std::size_t c, Values& values) {
+        const ClusterRange& range = partition_.ranges[c];
+        std::uint32_t* vertices =
+            data_.vertices_of_clusters.data() + data_.clusters[c].first_vertex;
+        for (std::uint32_t p = range.begin; p < range.end; ++p)
+            for (std::size_t k = 0; k < 3; ++k)
+                vertices[partition_.corners[3 * std::size_t(p) + k]] =
+                    mesh_.triangles[partition_.order[p]][k];
+        values.clear();
+        for (std::uint32_t i = 0; i < range.vertex_count; ++i)
+            values.push_back(local_vertex(vertices[i]));
+    }
+
+    void write_triangles(std::size_t c, unsigned char* memory) {
+        const Cluster& cluster = data_.clusters[c];
+        const ClusterLayout layout = cluster_layout(cluster);
+        std::uint32_t* edges = data_.border_edges.data() + cluster.first_border_edge;
+        unsigned edge_count = 0;
+        const std::uint32_t first = partition_.ranges[c].begin;
+        const auto neighbour = [&](std::uint32_t across) {
+            if (across == ClusterLinks::kNobody) return kNoNeighbour;
+            if (!ClusterLinks::is_number(across)) return std::uint8_t(across - first);
+            edges[edge_count] = across - ClusterLinks::kNumber;
+            return std::uint8_t(cluster.triangle_count + edge_count++);
+        };
+        for (unsigned i = 0; i < cluster.triangle_count; ++i) {
+            unsigned char* corners = memory + layout.corners + place_of_corners(i);
+            for (unsigned k = 0; k < 3; ++k) {
+                const std::size_t side = 3 * std::size_t(first + i) + k;
+                corners[k * kMaskGroup] = partition_.corners[side];
+                memory[layout.neighbours + 3 * i + k] = neighbour(links_.across[side]);
+            }
+        }
+    }
+
+    void mark_triangles(std::size_t c) {
+        Cluster& cluster = data_.clusters[c];
+        const std::uint32_t first = partition_.ranges[c].begin;
+        const auto mark = [&](std::uint64_t* bits, const auto& is_marked) {
+            for (unsigned i = 0; i < cluster.triangle_count; ++i)
+                bits[i / kMaskGroup] |= std::uint64_t(is_marked(i)) << i % kMaskGroup;
+        };
+        const auto all_corners = [&](const std::vector<std::uint8_t>& vertices) {
+            return [&](unsigned i) {
+                const Triangle& t = mesh_.triangles[partition_.order[first + i]];
+                return vertices[t[0]] && vertices[t[1]] && vertices[t[2]];
+            };
+        };
+        mark(cluster.convex, all_corners(convex_));
+        mark(cluster.convex_around, all_corners(convex_around_));
+        mark(cluster.coarse, [&](unsigned i) { return coarse_[partition_.order[first + i]]; });
+        mark(cluster.plain, [&](unsigned i) { return plain_[partition_.order[first + i]]; });
+    }
+
+    void write_vertices(std::size_t c, const Values& values, unsigned char* memory) const {
+        const Cluster& cluster = data_.clusters[c];
+        const ClusterLayout layout = cluster_layout(cluster);
+        auto* records = reinterpret_cast<VertexRecord*>(memory + layout.records);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            records[i] = make_record(values[i]);
+        write_forms(reinterpret_cast<FormGroup*>(memory), cluster, [&](unsigned i) {
+            return FormVector{values[i].normal, values[i].position};
+        });
+    }
+
+    void write_bounds(std::size_t c, const Values& values) {
+        const Eigen::Vector3d centre = centre_of(values);
+        const VectorBox normals = enclose_normals(values);
+        double low = std::numeric_limits<double>::max(), high = -low;
+        for (const LocalVertex& v : values) {
+            const double height = v.normal.dot(v.position - centre);
+            low = std::min(low, height);
+            high = std::max(high, height);
+        }
+        FacingBounds& bounds = data_.bounds[c / kFormGroup];
+        const std::size_t place = c % kFormGroup;
+        for (int k = 0; k < 3; ++k) {
+            bounds.centre[k][place] = float(centre[k]);
+            bounds.normal[k][place] = float(normals.centre[k]);
+            for (int axis = 0; axis < 3; ++axis)
+                bounds.axes[axis][k][place] = float(normals.half_axes(k, axis));
+        }
+        bounds.height[place] = float((low + high) / 2);
+        bounds.height_range[place] = float((high - low) / 2);
+    }
+
+    const PreparedMesh& mesh_;
+    const Field& field_;
+    ExtractorData& data_;
+    std::vector<std::uint8_t> coarse_, plain_;          // by triangle of the mesh
+    std::vector<std::uint8_t> convex_, convex_around_;  // by vertex
+    Partition partition_;
+    ClusterLinks links_;
+};
+
+}  // namespace
+
+void build_clusters(const PreparedMesh& mesh, const Field& field, const StageProgress& stage,
+                    ExtractorData& data) {
+    ClusterBuilder(mesh, field, data).build(stage);
 }
 
 }  // namespace laplacian_lines

@@ -88,7 +88,7 @@ struct Cluster {
     std::uint64_t convex_around[kClusterTriangles / kMaskGroup];
     /// Likewise: coarse ones, see coarseness.h, in which contours are no zeros.
     std::uint64_t coarse[kClusterTriangles / kMaskGroup];
-    /// A bit for each triangle: of PlainPlaces, see LineRules::leave_out_plain.
+    /// A bit for each triangle: of find_plain_triangles(), see LineRules::leave_out_plain.
     std::uint64_t plain[kClusterTriangles / kMaskGroup];
 };
 
@@ -113,15 +113,14 @@ static inline ClusterLayout cluster_layout(const Cluster& c) {
     return layout;
 }
 
-/// Bounds of n·(e − w p) over the vertices of clusters, one array for each number. With the centre
-/// of the cluster c, n is within normal ± axes[0] ± axes[1] ± axes[2], and n·(p − c) is within
-/// height ± height_range.
-struct FacingBounds {
-    static constexpr unsigned kNumbers = 17;
-    const float* centre[3];
-    const float* normal[3];
-    const float* axes[3][3];
-    const float *height, *height_range;
+/// Bounds of n·(e − w p) over the vertices of clusters, of kFormGroup of them one number after the
+/// other. With the centre of the cluster c, n is within normal ± axes[0] ± axes[1] ± axes[2], and
+/// n·(p − c) is within height ± height_range.
+struct alignas(kCacheUnit) FacingBounds {
+    float centre[3][kFormGroup];
+    float normal[3][kFormGroup];
+    float axes[3][3][kFormGroup];
+    float height[kFormGroup], height_range[kFormGroup];
 };
 
 /// All clusters, without their ownership.
@@ -130,7 +129,7 @@ struct ClusterStore {
     const Cluster* clusters;
     const std::uint32_t* border_edges;  ///< numbers of edges over the whole mesh
     const FormGroup* laplacians;        ///< linear forms of Δn, cluster by cluster
-    FacingBounds facing;
+    const FacingBounds* facing;         ///< by kFormGroup clusters
     const CurvatureRecord* curvatures;  ///< of the vertices of clusters; or null
 };
 

@@ -5,31 +5,21 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 
 #include "clusters/cluster_data.h"
-#include "system/halving.h"
 #include "system/large_array.h"
+#include "system/parallel.h"
 
 namespace laplacian_lines {
 namespace {
 
 constexpr std::uint32_t kFewTriangles = 8192;  // not worth cutting for other threads
-constexpr unsigned kBins = 1024;
 constexpr std::uint32_t kNoNumber = 0xffffffffu;
 
 struct TriangleCentre {
     float at[3];  // times 3
     std::uint32_t triangle;
-};
-
-/// Equal parts of an axis.
-struct Bins {
-    int axis;
-    float begin, scale;
-
-    unsigned of(const TriangleCentre& centre) const {
-        return std::min(unsigned((centre.at[axis] - begin) * scale), kBins - 1);
-    }
 };
 
 /// Numbers of vertices within one cluster after the other.
@@ -58,6 +48,14 @@ private:
     std::vector<std::uint32_t> number_, used_;
 };
 
+/// Whether a redraw goes on from a triangle to the next without an edge's number: within a cluster,
+/// one orientation and coarseness. Else lines are joined at the number.
+bool goes_on_within(const PreparedMesh& mesh, const std::vector<std::uint8_t>& coarse,
+                    std::uint32_t side, std::uint32_t across) {
+    return begin_of(mesh.triangles, side) != begin_of(mesh.triangles, across) &&
+           coarse[side / 3] == coarse[across / 3];
+}
+
 class Partitioner {
 public:
     Partitioner(const PreparedMesh& mesh, const CornerTable& sides,
@@ -67,16 +65,12 @@ public:
           coarse_(coarse),
           result_(result),
           centres_(large_array<TriangleCentre>(mesh.triangles.size())),
-          spare_(large_array<TriangleCentre>(mesh.triangles.size())),
           places_(mesh.triangles.size()),
           vertex_count_at_(mesh.triangles.size(), 0) {
         const std::size_t triangles = mesh.triangles.size();
         result.order = large_array<std::uint32_t>(triangles);
         result.corners = large_array<std::uint8_t>(3 * triangles);
-        in_blocks(triangles, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t t = begin; t < end; ++t)
-                centres_[t] = centre(std::uint32_t(t));
-        });
+        for_each_element(triangles, [&](std::size_t t) { centres_[t] = centre(std::uint32_t(t)); });
     }
 
     void run() {
@@ -132,42 +126,12 @@ private:
         for (std::uint32_t i = begin; i < end; ++i)
             box.extend(Eigen::Map<const Eigen::Vector3f>(centres_[i].at));
         int axis;
-        const float length = box.sizes().maxCoeff(&axis);
-        const Bins bins = {axis, box.min()[axis], float(kBins) / length};
-        std::uint32_t low = begin, high = end;  // of those in the bin of the middle
-        if (std::isfinite(bins.scale)) divide(bins, middle, low, high);
-        std::nth_element(centres_.begin() + low, centres_.begin() + middle, centres_.begin() + high,
-                         [axis](const TriangleCentre& a, const TriangleCentre& b) {
-                             return a.at[axis] != b.at[axis] ? a.at[axis] < b.at[axis]
-                                                             : a.triangle < b.triangle;
-                         });
-    }
-
-    /// Puts those in lower bins than the middle's first and those in higher ones last, without
-    /// branches that a processor could not foresee. `low` and `high` close in on the others.
-    void divide(const Bins& bins, std::uint32_t middle, std::uint32_t& low, std::uint32_t& high) {
-        const std::uint32_t begin = low, end = high;
-        std::uint32_t counts[kBins] = {};
-        for (std::uint32_t i = begin; i < end; ++i)
-            ++counts[bins.of(centres_[i])];
-        unsigned bin = 0;
-        for (std::uint32_t before = begin; before + counts[bin] <= middle; ++bin)
-            before += counts[bin];
-        std::uint32_t right = begin, others = end;  // written to spare_ upwards and downwards
-        for (std::uint32_t i = begin; i < end; ++i) {
-            const TriangleCentre centre = centres_[i];
-            const unsigned its = bins.of(centre);
-            if (its == bin) {
-                spare_[--others] = centre;
-                continue;
-            }
-            centres_[low] = spare_[right] = centre;
-            low += its < bin;
-            right += its > bin;
-        }
-        high = end - (right - begin);
-        std::copy(spare_.begin() + others, spare_.begin() + end, centres_.begin() + low);
-        std::copy(spare_.begin() + begin, spare_.begin() + right, centres_.begin() + high);
+        box.sizes().maxCoeff(&axis);
+        std::nth_element(
+            centres_.begin() + begin, centres_.begin() + middle, centres_.begin() + end,
+            [axis](const TriangleCentre& a, const TriangleCentre& b) {
+                return a.at[axis] != b.at[axis] ? a.at[axis] < b.at[axis] : a.triangle < b.triangle;
+            });
     }
 
     /// Unless the triangles exceed a cluster's numbers of vertices or of numbers.
@@ -215,7 +179,7 @@ private:
     const CornerTable& sides_;
     const std::vector<std::uint8_t>& coarse_;
     Partition& result_;
-    std::vector<TriangleCentre> centres_, spare_;
+    std::vector<TriangleCentre> centres_;
     std::vector<std::atomic<std::uint32_t>> places_;  // by triangle, of the last try
     std::vector<std::uint8_t> vertex_count_at_;       // of the cluster that begins at a place, or 0
 };
@@ -227,6 +191,40 @@ Partition partition(const PreparedMesh& mesh, const CornerTable& sides,
     Partition result;
     if (!mesh.triangles.empty()) Partitioner(mesh, sides, coarse, result).run();
     return result;
+}
+
+ClusterLinks link_clusters(const PreparedMesh& mesh, const CornerTable& sides,
+                           const std::vector<std::uint8_t>& coarse, const Partition& partition) {
+    ClusterLinks links;
+    links.across = large_array(sides.side_count(), ClusterLinks::kNobody);
+    std::vector<std::uint32_t> numbers(partition.ranges.size() + 1, 0);  // of edges, by cluster
+    // Calls number(place, other) for each edge to others, in the cluster that comes first, with the
+    // places of both sides.
+    const auto for_each_numbered = [&](std::size_t c, const auto& number) {
+        const ClusterRange& range = partition.ranges[c];
+        for (std::uint32_t place = 3 * range.begin; place < 3 * range.end; ++place) {
+            const std::uint32_t side = 3 * partition.order[place / 3] + place % 3;
+            if (!sides.has_neighbour(side)) continue;
+            const std::uint32_t across = sides.across(side),
+                                triangle = partition.places[across / 3];
+            if (triangle >= range.begin && triangle < range.end &&
+                goes_on_within(mesh, coarse, side, across))
+                links.across[place] = triangle;
+            else if (const std::uint32_t other = 3 * triangle + across % 3; place < other)
+                number(place, other);
+        }
+    };
+    in_parallel(partition.ranges.size(), [&](std::size_t c) {
+        for_each_numbered(c, [&](std::uint32_t, std::uint32_t) { ++numbers[c + 1]; });
+    });
+    std::partial_sum(numbers.begin(), numbers.end(), numbers.begin());
+    links.number_count = numbers.back();
+    in_parallel(partition.ranges.size(), [&](std::size_t c) {
+        for_each_numbered(c, [&](std::uint32_t place, std::uint32_t other) {
+            links.across[place] = links.across[other] = ClusterLinks::kNumber + numbers[c]++;
+        });
+    });
+    return links;
 }
 
 }  // namespace laplacian_lines

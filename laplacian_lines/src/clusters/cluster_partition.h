@@ -29,12 +29,19 @@ struct Partition {
 Partition partition(const PreparedMesh& mesh, const CornerTable& sides,
                     const std::vector<std::uint8_t>& coarse);
 
-/// Whether a redraw goes on from a triangle to the next without an edge's number: within a cluster,
-/// one orientation and coarseness. Else lines are joined at the number.
-inline bool goes_on_within(const PreparedMesh& mesh, const std::vector<std::uint8_t>& coarse,
-                           std::uint32_t side, std::uint32_t across) {
-    return begin_of(mesh.triangles, side) != begin_of(mesh.triangles, across) &&
-           coarse[side / 3] == coarse[across / 3];
-}
+/// What lies across sides of triangles, by 3 place + k.
+struct ClusterLinks {
+    static constexpr std::uint32_t kNobody = 0xffffffffu;  ///< lines end there
+    static constexpr std::uint32_t kNumber = 0x80000000u;  ///< and the number of an edge
+
+    std::vector<std::uint32_t> across;  ///< a place in the cluster, a number or kNobody
+    std::uint32_t number_count = 0;     ///< of edges at which lines are joined, over the mesh
+
+    static bool is_number(std::uint32_t across) { return across >= kNumber && across != kNobody; }
+};
+
+/// The number of threads does not matter.
+ClusterLinks link_clusters(const PreparedMesh& mesh, const CornerTable& sides,
+                           const std::vector<std::uint8_t>& coarse, const Partition& partition);
 
 }  // namespace laplacian_lines

@@ -3,10 +3,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "field/field_steps.h"
 #include "mesh/flat_faces.h"
 #include "system/disjoint_sets.h"
+#include "system/large_array.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
@@ -21,6 +23,10 @@ constexpr double kSquaredCosineOfMade = 0.9698;  // of 10°
 // As far as the smoothing of normals reaches.
 constexpr int kRings = 2;
 constexpr double kSquaredCosineOfRings = 0.9925;  // of 5°
+
+constexpr double kFlat = 0.9999984769132877;   // least cosine: of 0.1°
+constexpr double kSharp = 0.7660444431189781;  // most cosine: of 40°
+constexpr double kLong = 0.02;                 // D
 
 /// A triangle's plane against normals: squared cosines, 0 from 90° on.
 class Lean {
@@ -108,6 +114,31 @@ void unite_majority(std::vector<std::uint8_t>& coarse) {
     if (2 * count > coarse.size()) std::fill(coarse.begin(), coarse.end(), 1);
 }
 
+/// By vertex, the least cosine between the planes of the triangles around it and of the first one,
+/// whichever side each of them is seen from.
+std::vector<double> least_cosines(const PreparedMesh& mesh) {
+    std::vector<Eigen::Vector3d> normals = large_array<Eigen::Vector3d>(mesh.triangles.size());
+    for_each_element(normals.size(), [&](std::size_t t) {
+        normals[t] = area_vector(mesh, mesh.triangles[t]).stableNormalized();
+    });
+    std::vector<const Eigen::Vector3d*> first(mesh.size(), nullptr);
+    std::vector<double> least(mesh.size(), 1);
+    for (std::size_t t = 0; t < normals.size(); ++t)
+        for (const std::uint32_t v : mesh.triangles[t]) {
+            if (!first[v]) first[v] = &normals[t];
+            least[v] = std::min(least[v], std::abs(normals[t].dot(*first[v])));
+        }
+    return least;
+}
+
+double longest_squared(const PreparedMesh& mesh, const Triangle& t) {
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+        longest = std::max(longest,
+                           (mesh.positions[t[k]] - mesh.positions[t[(k + 1) % 3]]).squaredNorm());
+    return longest;
+}
+
 }  // namespace
 
 bool is_rough(const MeshReport& report) {
@@ -132,6 +163,22 @@ std::vector<std::uint8_t> find_coarse_triangles(const PreparedMesh& mesh, const 
     if (has_coarse()) grow_patches(mesh, field, coarse);
     unite_majority(coarse);
     return coarse;
+}
+
+std::vector<std::uint8_t> find_plain_triangles(const PreparedMesh& mesh) {
+    std::vector<std::uint8_t> plain(mesh.triangles.size(), 0);
+    const std::vector<double> cosines = least_cosines(mesh);
+    const auto is_sharp = [&](double cosine) { return cosine <= kSharp; };
+    if (std::none_of(cosines.begin(), cosines.end(), is_sharp)) return plain;
+    for_each_element(plain.size(), [&](std::size_t i) {
+        const Triangle& t = mesh.triangles[i];
+        const auto is_flat = [&](std::uint32_t v) { return cosines[v] >= kFlat; };
+        const auto is_clear = [&](std::uint32_t v) { return is_flat(v) || is_sharp(cosines[v]); };
+        plain[i] =
+            std::all_of(t.begin(), t.end(), is_flat) ||
+            (std::all_of(t.begin(), t.end(), is_clear) && longest_squared(mesh, t) > kLong * kLong);
+    });
+    return plain;
 }
 
 }  // namespace laplacian_lines

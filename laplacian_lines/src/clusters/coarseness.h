@@ -22,4 +22,11 @@ bool is_rough(const MeshReport& report);
 /// threads does not matter.
 std::vector<std::uint8_t> find_coarse_triangles(const PreparedMesh& mesh, const Field& field);
 
+/// Which triangles are plain, 1 or 0 for each: where the surface has no form of its own that a
+/// Laplacian line could tell of, so that what is found there comes from beyond an edge, over which
+/// the kernel reaches. Those that are flat to their whole ring, within .1°, or so long that flat
+/// corners and sharp ones, at 40° or more, are all there is of the form. None on a mesh without a
+/// sharp corner.
+std::vector<std::uint8_t> find_plain_triangles(const PreparedMesh& mesh);
+
 }  // namespace laplacian_lines

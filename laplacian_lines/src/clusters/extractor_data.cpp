@@ -2,24 +2,21 @@
 #include "clusters/extractor_data.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <new>
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
+#include <cmath>
 
 #include "clusters/cluster_building.h"
 #include "clusters/coarseness.h"
-#include "clusters/curvature_records.h"
+#include "clusters/linear_forms.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/field_columns.h"
-#include "mesh/prepared_mesh.h"
+#include "system/large_array.h"
+#include "system/parallel.h"
 
 namespace laplacian_lines {
 namespace {
 
-constexpr double kPrepared = 0.1;            // about the part of the whole time that it takes
-constexpr std::size_t kHugePage = 2u << 20;  // bytes; clusters are read in no order of addresses
+constexpr double kPrepared = 0.1;  // about the part of the whole time that it takes
+constexpr double kLargestLaplacian = 1e12, kLargestDerivative = 1e16;
 
 template <class T>
 std::size_t bytes(const std::vector<T>& v) {
@@ -42,47 +39,65 @@ PreparedMesh prepare(const TriangleMesh& mesh, const Field& field, int undone) {
                             field.report.turned_triangles > 0 ? Facing::Outwards : Facing::Kept);
 }
 
+LaplacianForms laplacian_forms(const PreparedMesh& mesh, const Field& field,
+                               const ExtractorData& data) {
+    LaplacianForms forms;
+    forms.kernel_size = float(field.scale.kernel_size / field.scale.diagonal);
+    const Cluster* last = data.clusters.empty() ? nullptr : &data.clusters.back();
+    forms.groups = large_array<FormGroup>(last ? last->first_form_group + form_groups(*last) : 0);
+    const double factor = data.diagonal * data.diagonal;
+    in_parallel(data.clusters.size(), [&](std::size_t c) {
+        const Cluster& cluster = data.clusters[c];
+        write_forms(&forms.groups[cluster.first_form_group], cluster, [&](unsigned i) {
+            const std::uint32_t v = data.vertices_of_clusters[cluster.first_vertex + i];
+            const Eigen::Vector3f& laplacian = field.laplacian_normals[mesh.original_vertex[v]];
+            return FormVector{bounded(laplacian, factor, kLargestLaplacian), mesh.positions[v]};
+        });
+    });
+    return forms;
+}
+
+std::vector<CurvatureRecord> curvature_records(const PreparedMesh& mesh, const Field& field,
+                                               const ExtractorData& data) {
+    std::vector<CurvatureRecord> records(data.vertices_of_clusters.size());
+    const double d = data.diagonal;
+    const std::vector<PlacedCluster> clusters = place_clusters(data);
+    in_parallel(clusters.size(), [&](std::size_t c) {
+        const Cluster& cluster = *clusters[c].cluster;
+        for (unsigned i = 0; i < cluster.vertex_count; ++i) {
+            const std::uint32_t v = mesh.original_vertex[clusters[c].vertices[i]];
+            CurvatureRecord& record = records[cluster.first_vertex + i];
+            const Eigen::Vector3f position = position_of(clusters[c].records[i]),
+                                  normal = normal_of(clusters[c].records[i]);
+            for (int k = 0; k < 3; ++k) {
+                record.position[k] = position[k];
+                record.normal[k] = normal[k];
+                record.curvature[k] =
+                    float(bounded(field.smooth_curvatures[v][k] * d, kLargestCurvature));
+            }
+            for (int k = 0; k < 4; ++k)
+                record.derivative[k] =
+                    float(bounded(field.curvature_derivatives[v][k] * d * d, kLargestDerivative));
+        }
+    });
+    return records;
+}
+
 }  // namespace
 
-void ExtractorData::Free::operator()(unsigned char* memory) const {
-    std::free(memory);
-}
-
-void ExtractorData::allocate(std::size_t bytes) {
-    const std::size_t alignment = bytes < kHugePage ? kCacheUnit : kHugePage;
-    void* memory;
-    if (posix_memalign(&memory, alignment, bytes) != 0) throw std::bad_alloc();
-    memory_of_clusters.reset(static_cast<unsigned char*>(memory));
-#ifdef __linux__
-    madvise(memory, bytes, MADV_HUGEPAGE);  // no harm if it fails
-#endif
-    bytes_of_clusters = bytes;
-    bounds.assign(FacingBounds::kNumbers * padded_cluster_count(), 0);
-}
-
-std::size_t ExtractorData::padded_cluster_count() const {
-    return (clusters.size() + kFormGroup - 1) / kFormGroup * kFormGroup;
-}
-
 ClusterStore ExtractorData::store() const {
-    const auto array = [&](std::size_t i) { return bounds.data() + i * padded_cluster_count(); };
-    return {memory_of_clusters.get(),
+    return {reinterpret_cast<const unsigned char*>(memory_of_clusters.data()),
             clusters.data(),
             border_edges.data(),
             laplacians.groups.data(),
-            {{array(0), array(1), array(2)},
-             {array(3), array(4), array(5)},
-             {{array(6), array(7), array(8)},
-              {array(9), array(10), array(11)},
-              {array(12), array(13), array(14)}},
-             array(15),
-             array(16)},
+            bounds.data(),
             curvatures.empty() ? nullptr : curvatures.data()};
 }
 
 std::size_t ExtractorData::memory() const {
-    return sizeof(*this) + bytes_of_clusters + bytes(clusters) + bytes(vertices_of_clusters) +
-           bytes(border_edges) + bytes(bounds) + bytes(curvatures) + laplacians.memory();
+    return sizeof(*this) + bytes(memory_of_clusters) + bytes(clusters) +
+           bytes(vertices_of_clusters) + bytes(border_edges) + bytes(bounds) + bytes(curvatures) +
+           laplacians.memory();
 }
 
 std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {
@@ -124,7 +139,7 @@ ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field,
     data.diagonal = prepared.diagonal;
     if (data.centre.cwiseAbs().maxCoeff() > kFar * data.diagonal) data.origin = data.centre;
     data.is_rough = is_rough(field.report);
-    ClusterBuilder(prepared, field, data).build(stage.part(kPrepared, 1));
+    build_clusters(prepared, field, stage.part(kPrepared, 1), data);
     data.laplacians = laplacian_forms(prepared, field, data);
     if (field.has_derivatives()) data.curvatures = curvature_records(prepared, field, data);
     return data;

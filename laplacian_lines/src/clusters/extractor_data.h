@@ -3,11 +3,10 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "clusters/cluster_data.h"
-#include "clusters/laplacian_forms.h"
+#include "clusters/coarse_horizon.h"
 #include "laplacian_lines/field.h"
 #include "laplacian_lines/line_kind.h"
 #include "laplacian_lines/progress.h"
@@ -15,14 +14,23 @@
 
 namespace laplacian_lines {
 
+/// The linear forms Δn·(e − w p) of the vertices of all clusters: all of a mesh that a redraw reads
+/// and that depends on the kernel.
+struct LaplacianForms {
+    std::vector<FormGroup> groups;  ///< cluster by cluster
+    float kernel_size = 0;          ///< √h, D
+
+    std::size_t memory() const { return groups.capacity() * sizeof(FormGroup); }  ///< bytes
+};
+
 /// The mesh as a redraw reads it, see cluster_data.h. Local coordinates x' = (x − centre)/D, so
 /// that all thresholds are dimensionless as they stand.
 struct ExtractorData {
-    struct Free {
-        void operator()(unsigned char* memory) const;
+    struct alignas(kCacheUnit) Unit {
+        Unit() {}  // nothing is cleared
+        unsigned char bytes[kCacheUnit];
     };
-    std::unique_ptr<unsigned char[], Free> memory_of_clusters;
-    std::size_t bytes_of_clusters = 0;
+    std::vector<Unit> memory_of_clusters;
     std::vector<Cluster> clusters;
     std::vector<std::uint32_t> vertices_of_clusters;  ///< in the prepared mesh, cluster by cluster
     std::uint32_t vertex_count = 0;                   ///< of the prepared mesh
@@ -31,23 +39,32 @@ struct ExtractorData {
     std::vector<CurvatureRecord> curvatures;
     std::vector<std::uint32_t> border_edges;
     std::uint32_t border_edge_count = 0;  ///< the numbers in border_edges are below
-    /// The arrays of ClusterStore about whole clusters, one after the other.
-    std::vector<float> bounds;
+    std::vector<FacingBounds> bounds;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the bounding box, mesh units
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< of line sets
     double diagonal = 1;                               ///< D, mesh units
     LaplacianForms laplacians;                         ///< √h as of its field
     bool is_rough = false;  ///< edges of the mesh are those of noise or voxels, not of the form
     bool is_sheet = false;  ///< its borders are so long that it is seen from both sides
+    bool is_body = false;   ///< closed and facing outwards: what faces away is hidden
+    CoarseHorizon horizon;
 
-    /// Memory for the clusters, aligned to cache units, for the builder to fill, and for their
-    /// bounds.
-    /// @throws std::bad_alloc
-    void allocate(std::size_t bytes);
-    std::size_t padded_cluster_count() const;  ///< to whole groups of kFormGroup
     ClusterStore store() const;
     std::size_t memory() const;  ///< bytes
 };
+
+/// A homogeneous point in local coordinates, scaled so that n·(eye − w p) is about in [−1, 1].
+struct LocalEye {
+    Eigen::Vector3f eye;
+    float w;
+
+    Eigen::Vector3f towards(const Eigen::Vector3f& p) const { return eye - w * p; }
+};
+
+/// Whether the eye may be inside, from where back faces are what is seen.
+inline bool may_be_within(const LocalEye& eye) {
+    return eye.eye.norm() < 0.5f * eye.w;  // a ball around the mesh
+}
 
 inline Eigen::Vector3f position_of(const VertexRecord& record) {
     return Eigen::Map<const Eigen::Vector3f>(record.position);

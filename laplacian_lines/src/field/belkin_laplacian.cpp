@@ -55,14 +55,10 @@ std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const Sp
     const GaussianKernel kernel = belkin_kernel(kernel_sizes, options);
     const GridResolution resolution =
         grid_resolution(options.accuracy, roughness(kernel_sizes, shape_operators));
-    Summation summation = options.summation;
-    if (summation == Summation::Fastest) {
-        const SummationCosts costs = summation_costs(mesh, tree, kernel, resolution);
-        refuse_endless_sum(std::min(costs.direct, costs.grid),
-                           "Merge close vertices, or choose a larger Kernel Size.");
-        summation = costs.fastest();
-    }
-    const bool on_grid = summation == Summation::Grid;
+    const SummationCosts costs = summation_costs(mesh, tree, kernel, resolution);
+    refuse_endless_sum(std::min(costs.direct, costs.grid),
+                       "Merge close vertices, or choose a larger Kernel Size.");
+    const bool on_grid = costs.grid < costs.direct;
     const GaussianSums sums = on_grid ? grid_sums(mesh, normals, kernel, resolution, stage)
                                       : gaussian_sums(mesh, tree, normals, kernel, stage);
     // The cut-off tail of a second moment is known, so its mean effect can be taken out.

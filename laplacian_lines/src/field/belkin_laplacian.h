@@ -18,7 +18,6 @@ struct BelkinOptions {
     double accuracy = 1e-3;
     bool correct_borders = true;
     bool skip_opposite_sheet = true;
-    Summation summation = Summation::Fastest;
 };
 
 /// For the direct sum.

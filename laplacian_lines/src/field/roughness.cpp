@@ -7,7 +7,6 @@
 
 #include "laplacian_lines/precompute_options.h"
 #include "mesh/flat_faces.h"
-#include "sums/facing_weight.h"
 #include "sums/summation_cost.h"
 #include "system/parallel.h"
 

@@ -3,7 +3,6 @@
 #include <memory>
 #include <mutex>
 
-#include "clusters/insides.h"
 #include "fixed/crease_criteria.h"
 #include "fixed/crease_tracing.h"
 #include "fixed/fixed_kinds.h"
@@ -86,13 +85,13 @@ void append_line(const TracedCreases& traced, const Polyline& line, const EdgeFa
 
 class Creases : public FixedKindLines {
 public:
-    explicit Creases(const ExtractorData& data) : is_body_(is_body(place_clusters(data))) {}
+    explicit Creases(const ExtractorData&) {}
 
     void append(const ExtractorData& data, FixedLines&, const LocalEye& eye, const LineStyle& style,
                 LineSet& lines) const override {
         const auto traced = trace(data, float(style.crease_angle));
         const float shortest = Thresholds(style).shortest_line;
-        const EdgeFacing facing(eye, style, is_body_ && !may_be_within(eye));
+        const EdgeFacing facing(eye, style, data.is_body && !may_be_within(eye));
         for (std::size_t i = 0; i < traced->lines.lines.size(); ++i)
             if (is_drawn(traced->nets[i], shortest))
                 append_line(*traced, traced->lines.lines[i], facing, lines);
@@ -142,8 +141,6 @@ private:
         }
         return traced_;
     }
-
-    const bool is_body_;
 
     /// Smaller angles than the default one are seldom asked for, and take long on rough scans.
     const std::vector<CreaseEdge>& edges(const ExtractorData& data, float least_angle) const {

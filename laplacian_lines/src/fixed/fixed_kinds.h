@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "clusters/extractor_data.h"
-#include "clusters/planes.h"
 #include "laplacian_lines/line_set.h"
 #include "laplacian_lines/line_style.h"
 

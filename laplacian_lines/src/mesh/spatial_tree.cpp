@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "mesh/bounding_box.h"
-#include "system/halving.h"
+#include "system/parallel.h"
 #include "system/large_array.h"
 
 namespace laplacian_lines {

@@ -20,16 +20,13 @@ std::string in_words(double value) {
     return text.str();
 }
 
-std::string in_quotes(const std::string& label) {
-    return '"' + label + '"';
-}
-
 template <class Options>
 void check_ranges(const std::vector<OptionDescription<Options>>& table, const Options& options) {
     for (const auto& option : table) {
         const double value = option.get(options);
         if (value >= option.minimum && value <= option.maximum) continue;
-        refuse_value(in_quotes(option.label), in_words(value), allowed_values(option));
+        refuse_value('"' + std::string(option.label) + '"', in_words(value),
+                     allowed_values(option));
     }
 }
 

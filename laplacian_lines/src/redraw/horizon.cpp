@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "clusters/insides.h"
-#include "system/chains.h"
 #include "system/three_floats.h"
 
 namespace laplacian_lines {
@@ -22,8 +20,8 @@ public:
 
     void run(const LocalEye& eye) {
         is_outside_ = !may_be_within(eye);
-        horizon_.planes.evaluate(eye, m_.triangle_facing);
-        horizon_.facing.evaluate(eye, m_.vertex_facing);
+        horizon_.planes.evaluate(eye.eye, eye.w, m_.triangle_facing);
+        horizon_.facing.evaluate(eye.eye, eye.w, m_.vertex_facing);
         collect_segments();
         link_segments();
         trace_chains();
@@ -137,7 +135,6 @@ private:
             std::uint32_t(m_.segments.size()),
             [this](std::uint32_t half) { return m_.links[half]; },
             [this](std::uint32_t half) { trace(half); });
-        m_.points.resize(m_.points.size() + kPointMargin);  // append_points() reads beyond
     }
 
     void trace(std::uint32_t start) {

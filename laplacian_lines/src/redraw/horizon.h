@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "clusters/coarse_horizon.h"
-#include "redraw/strip_joining.h"
+#include "clusters/extractor_data.h"
+#include "redraw/strips.h"
 
 namespace laplacian_lines {
 

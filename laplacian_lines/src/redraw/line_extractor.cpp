@@ -4,22 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clusters/coarse_horizon.h"
 #include "clusters/extractor_data.h"
-#include "clusters/planes.h"
 #include "fixed/fixed_lines.h"
 #include "laplacian_lines/error.h"
 #include "redraw/horizon.h"
-#include "redraw/kinds/strip_kinds.h"
 #include "redraw/line_finishing.h"
+#include "redraw/strip_rules.h"
 #include "system/three_floats.h"
 
 namespace laplacian_lines {
 
 struct LineExtractor::Data : ExtractorData {
-    explicit Data(ExtractorData&& data)
-        : ExtractorData(std::move(data)), horizon(find_coarse_horizon(*this)) {}
-    const CoarseHorizon horizon;
+    explicit Data(ExtractorData&& data) : ExtractorData(std::move(data)) {}
     mutable FixedLines fixed_lines;  // thread-safe
 };
 
@@ -48,7 +44,7 @@ void LineExtractor::add_derivatives(const TriangleMesh& mesh, const Field& field
 }
 
 std::size_t LineExtractor::memory() const {
-    return data_->memory() + data_->horizon.memory();
+    return data_->memory();
 }
 
 namespace {
@@ -94,14 +90,14 @@ ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEy
     set_eye(light, task.light);
     task.light_at_eye = !view.light;
     for (unsigned number = 0; number < kStripKindCount; ++number) {
-        const StripKind* const kind = strip_kinds()[number];
-        LineRules rules = kind->rules(style, task.light_at_eye);
+        const LineKind kind = kStripKinds[number];
+        LineRules rules = strip_rules(kind, style, task.light_at_eye);
         rules.kernel_size = data.laplacians.kernel_size;
         if (data.is_sheet) rules.concave_thinning = LineRules::kNoThinning;
         const float least_facing =
             rules.leave_out_away ? 0 : least_scaled_facing(rules.least_facing, eye);
-        const bool possible = has_needs_of(kind->kind, data);
-        task.kinds[number] = {possible && kind->is_wanted(style), least_facing, rules};
+        const bool wanted = style.shows[kind] && has_needs_of(kind, data);
+        task.kinds[number] = {wanted, least_facing, rules};
     }
     return task;
 }

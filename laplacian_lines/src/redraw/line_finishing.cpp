@@ -2,15 +2,106 @@
 #include "redraw/line_finishing.h"
 
 #include <algorithm>
-#include <memory>
+#include <cmath>
 
-#include "redraw/simd/redraw_loops.h"
 #include "rules/line_acceptance.h"
+#include "rules/opacity.h"
+#include "system/parallel.h"
 #include "system/simd_sets.h"
-#include "system/thread_pool.h"
 #include "system/three_floats.h"
 
 namespace laplacian_lines {
+namespace {
+
+constexpr float kReach = 0.375f;            // to both sides, in √h
+constexpr float kSharpestCosine = -0.342f;  // of 110°
+
+/// Cosine between the ways from a to b and from b to c; 1 where there is none.
+float cosine_of_turn(const LineColumns& p, std::size_t a, std::size_t b, std::size_t c) {
+    const float ux = p.x[b] - p.x[a], uy = p.y[b] - p.y[a], uz = p.z[b] - p.z[a];
+    const float vx = p.x[c] - p.x[b], vy = p.y[c] - p.y[b], vz = p.z[c] - p.z[b];
+    const float product = ux * vx + uy * vy + uz * vz;
+    if (product >= 0) return 1;
+    const float squares = (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz);
+    return product / std::sqrt(squares);
+}
+
+}  // namespace
+
+void Hairpins::measure(const LineColumns& line) {
+    for (std::size_t i = 1; i < lengths_.size(); ++i) {
+        const float x = line.x[i] - line.x[i - 1], y = line.y[i] - line.y[i - 1],
+                    z = line.z[i] - line.z[i - 1];
+        lengths_[i] = std::sqrt(x * x + y * y + z * z);
+    }
+    for (std::size_t i = 1; i < lengths_.size(); ++i)
+        lengths_[i] += lengths_[i - 1];
+}
+
+bool Hairpins::find(const LineColumns& line, std::uint32_t count, float kernel_size) {
+    lengths_.assign(count, 0.f);
+    passes_.assign(count, 1.f);
+    measure(line);
+    const float reach = kReach * kernel_size;
+    bool any = false;
+    std::size_t low = 0, high = 0;
+    for (std::size_t i = 0; i < count && high < count; ++i) {
+        while (low < i && lengths_[low + 1] <= lengths_[i] - reach)
+            ++low;
+        while (high < count && lengths_[high] < lengths_[i] + reach)
+            ++high;
+        if (lengths_[low] > lengths_[i] - reach || high == count) continue;
+        passes_[i] = rise(cosine_of_turn(line, low, i, high), kSharpestCosine, 0);
+        any |= passes_[i] < 1;
+    }
+    return any;
+}
+
+void Hairpins::split(const float* starts) {
+    limbs_.clear();
+    ranges_.clear();
+    const auto count = std::uint32_t(passes_.size());
+    limbs_.push_back({0, 0, 0, 0});
+    std::uint32_t begin = 0;  // of what no hairpin cuts
+    for (std::uint32_t i = 0; i < count; ++i) {
+        limbs_.back().carried = std::max(limbs_.back().carried, starts[i] * passes_[i]);
+        const bool turns = i > 0 && i + 1 < count && passes_[i] < 1 &&
+                           passes_[i] <= passes_[i - 1] && passes_[i] < passes_[i + 1];
+        if (turns) {
+            limbs_.back().end = i;
+            limbs_.push_back({i, i, passes_[i], 0});
+        }
+        if (passes_[i] > 0) continue;
+        if (i > begin + 1) ranges_.push_back({begin, i});
+        begin = i + 1;
+    }
+    limbs_.back().end = count;
+    if (count > begin + 1) ranges_.push_back({begin, count});
+}
+
+/// From limb to limb, both ways; returns the most.
+float Hairpins::carry() {
+    for (std::size_t i = 1; i < limbs_.size(); ++i)
+        limbs_[i].carried =
+            std::max(limbs_[i].carried, std::min(limbs_[i].passes, limbs_[i - 1].carried));
+    float most = 0;
+    for (std::size_t i = limbs_.size(); i-- > 0; most = std::max(most, limbs_[i].carried))
+        if (i + 1 < limbs_.size())
+            limbs_[i].carried =
+                std::max(limbs_[i].carried, std::min(limbs_[i + 1].passes, limbs_[i + 1].carried));
+    return most;
+}
+
+void Hairpins::fade(const float* starts, float* opacities) {
+    split(starts);
+    const float most = carry();
+    for (const Limb& limb : limbs_) {
+        const float carried = most > 0 ? std::min(1.f, 2 * limb.carried / most) : 1.f;
+        for (std::uint32_t i = limb.begin; i < limb.end; ++i)
+            opacities[i] *= std::min(passes_[i], carried);
+    }
+}
+
 namespace {
 
 constexpr std::uint32_t kLeastParallelPoints = 4000;
@@ -19,24 +110,13 @@ constexpr std::size_t kColumns = 7;
 constexpr std::uint32_t kStripsAhead = 4;
 static_assert(sizeof(LinePoint) == 6 * sizeof(float), "finish_line() writes six floats a point");
 
-/// Floats of a column for a line of up to `count` points: whole cache units, one of them before the
-/// first point.
-constexpr std::size_t kFloatsOfUnit = kCacheUnit / sizeof(float);
-std::size_t column_size(std::uint32_t count) {
-    return (count + kColumnMargin + 2 * kFloatsOfUnit - 1) / kFloatsOfUnit * kFloatsOfUnit;
+/// Of a column for a line of up to `count` points: one of them before the first point.
+std::size_t column_units(std::uint32_t count) {
+    return (count + kColumnMargin - 1) / FinishingThread::kUnitFloats + 2;
 }
 
-void reserve_columns(std::vector<float>& memory, std::size_t size) {
-    const std::size_t needed = kColumns * size + kFloatsOfUnit;
-    if (memory.size() < needed) memory.resize(needed);
-}
-
-LineColumns make_columns(std::vector<float>& memory, std::size_t size) {
-    void* begin = memory.data();
-    std::size_t bytes = memory.size() * sizeof(float);
-    std::align(kCacheUnit, kColumns * size * sizeof(float), begin, bytes);
-    float* first = static_cast<float*>(begin) + kFloatsOfUnit;
-    const auto column = [&](std::size_t i) { return first + i * size; };
+LineColumns make_columns(std::vector<FinishingThread::Unit>& columns, std::size_t units) {
+    const auto column = [&](std::size_t i) { return columns[i * units + 1].floats; };
     return {column(0), column(1), column(2), column(3), column(4), column(5), column(6)};
 }
 
@@ -59,23 +139,21 @@ void set_point(const LineColumns& c, std::size_t i, const StripPoint& p, float s
 /// Copies all strips of a line one behind the other; neighbours share a point.
 void collect_points(const TracedLines& traced, const TracedLines::Line& line,
                     const LineColumns& columns) {
-    const auto append = fastest<RedrawLoops>().append_points;
     std::size_t place = 0;
     const std::uint32_t* ends = traced.ends.data() + line.first_end;
     for (std::uint32_t i = 0; i < line.end_count; ++i) {
         if (i + kStripsAhead < line.end_count)
             prefetch_points(line.strips[ends[i + kStripsAhead] / 2]);
         const JoinedStrip& strip = line.strips[ends[i] / 2];
+        const StripPoint* const points = strip.points;
         const std::uint32_t last = strip.count - 1;
-        if (ends[i] % 2 == 0) {
-            if (i == 0) set_point(columns, place++, strip.points[0], 0);
-            append(strip.points + 1, last, columns, place);
-            place += last;
-        } else {  // backwards
-            if (i == 0) set_point(columns, place++, strip.points[last], 0);
-            for (std::uint32_t k = last; k > 0; --k)
-                set_point(columns, place++, strip.points[k - 1], strip.points[k].slope);
-        }
+        const bool backwards = ends[i] % 2 == 1;
+        if (i == 0) set_point(columns, place++, points[backwards ? last : 0], 0);
+        for (std::uint32_t k = 1; k <= last; ++k)
+            if (backwards)
+                set_point(columns, place++, points[last - k], points[last - k + 1].slope);
+            else
+                set_point(columns, place++, points[k], points[k].slope);
     }
 }
 
@@ -149,10 +227,10 @@ void finish_part(const TracedLines& traced, const TracedLines::Line& line, const
 
 /// A traced line, to its place.
 void finish_line(const ExtractorData& data, const TracedLines& traced,
-                 const TracedLines::Line& line, std::size_t size, FinishingThread& thread,
+                 const TracedLines::Line& line, std::size_t units, FinishingThread& thread,
                  LinePoint* points) {
     const Polyline& p = line.polyline;
-    LineColumns columns = make_columns(thread.columns, size);
+    LineColumns columns = make_columns(thread.columns, units);
     collect_points(traced, line, columns);
     if (p.closed) close_line(p.count, columns);
     if (line.rules->whole) finish_part(traced, line, columns, thread);
@@ -201,13 +279,13 @@ void finish_lines(const ExtractorData& data, const TracedLines& traced, Finishin
     std::uint32_t longest = 0;
     for (const TracedLines::Line& line : traced.lines)
         longest = std::max(longest, line.polyline.count);
-    const std::size_t size = column_size(longest);
+    const std::size_t units = column_units(longest);
     const std::size_t count = traced.lines.size();
     const std::size_t blocks = (count + kLinesAtOnce - 1) / kLinesAtOnce;
     const unsigned workers = traced.point_count < kLeastParallelPoints ? 1 : workers_for(blocks);
     if (memory.size() < workers) memory.resize(workers);
     for (FinishingThread& thread : memory) {
-        reserve_columns(thread.columns, size);
+        if (thread.columns.size() < kColumns * units) thread.columns.resize(kColumns * units);
         thread.cut_lines.clear();
         thread.cut_parts.clear();
     }
@@ -216,7 +294,7 @@ void finish_lines(const ExtractorData& data, const TracedLines& traced, Finishin
             for (std::size_t i = block * kLinesAtOnce;
                  i < std::min(count, (block + 1) * kLinesAtOnce); ++i) {
                 const TracedLines::Line& line = traced.lines[i];
-                finish_line(data, traced, line, size, memory[worker],
+                finish_line(data, traced, line, units, memory[worker],
                             &lines.points[line.polyline.first]);
                 lines.lines[i] = line.polyline;
             }

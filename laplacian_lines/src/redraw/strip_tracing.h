@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "laplacian_lines/line_set.h"
-#include "redraw/strip_joining.h"
+#include "redraw/strips.h"
 #include "rules/line_parts.h"
 
 namespace laplacian_lines {

@@ -23,7 +23,7 @@ struct LineRules {
     /// well.
     bool leave_out_convex = false;
     bool cut_by_convex() const { return !whole || !concave_only || least_concavity > -1; }
-    /// Skip triangles without a form of their own, see PlainPlaces.
+    /// Skip triangles without a form of their own, see find_plain_triangles().
     bool leave_out_plain = false;
     /// Skip triangles with n·l < 0 at all corners, where contour_clearance leaves no opacity.
     bool leave_out_away = false;

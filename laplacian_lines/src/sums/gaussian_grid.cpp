@@ -3,17 +3,178 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "sums/grid_convolution.h"
-#include "sums/grid_points.h"
-#include "sums/grid_slabs.h"
-#include "sums/normal_moments.h"
-#include "sums/size_band.h"
+#include "sums/summation_cost.h"
 #include "system/simd_sets.h"
 
 namespace laplacian_lines {
 namespace {
+
+// ---- moments ----
+//
+// Σ m w(n_q·n_p) and Σ m w(n_q·n_p) n_q for any n_p, w = 1 or facing_weight(), from moments Σ m
+// n_x^i n_y^j n_z^k that do not depend on p. The first group of 16 has degrees 0, 1 and 3; the
+// second has degree 4, from which degree 2 follows since |n| = 1.
+
+// Moments of degree 3, from the fifth of the first group on, and how often each occurs among the 27
+// entries of the tensor.
+enum { kXXX, kYYY, kZZZ, kXXY, kXXZ, kXYY, kYYZ, kXZZ, kYZZ, kXYZ, kCubic };
+constexpr double kEntries[kCubic] = {1, 1, 1, 3, 3, 3, 3, 3, 3, 6};
+constexpr int kFirstCubic = 4;
+
+// Order of the moments of degree 4, the second group.
+enum {
+    kXXXX,
+    kYYYY,
+    kZZZZ,
+    kXXXY,
+    kXXXZ,
+    kXYYY,
+    kYYYZ,
+    kXZZZ,
+    kYZZZ,
+    kXXYY,
+    kXXZZ,
+    kYYZZ,
+    kXXYZ,
+    kXYYZ,
+    kXYZZ
+};
+// The axis that a moment of degree 3 has an odd number of factors of; 3: none.
+constexpr int kOddAxis[kCubic] = {0, 1, 2, 1, 2, 0, 2, 0, 1, 3};
+// Moments of degree 4 that are x, y and z times those of degree 3.
+constexpr int kTimes[3][kCubic] = {
+    {kXXXX, kXYYY, kXZZZ, kXXXY, kXXXZ, kXXYY, kXYYZ, kXXZZ, kXYZZ, kXXYZ},
+    {kXXXY, kYYYY, kYZZZ, kXXYY, kXXYZ, kXYYY, kYYYZ, kXYZZ, kYYZZ, kXYYZ},
+    {kXXXZ, kYYYZ, kZZZZ, kXXYZ, kXXZZ, kXYYZ, kYYZZ, kXZZZ, kYZZZ, kXYZZ}};
+
+void cubic_monomials(const Eigen::Vector3d& n, double cubic[kCubic]) {
+    const double x = n.x(), y = n.y(), z = n.z(), xx = x * x, yy = y * y, zz = z * z;
+    const double values[kCubic] = {x * xx, y * yy, z * zz, xx * y, xx * z,
+                                   x * yy, yy * z, x * zz, y * zz, x * y * z};
+    for (int i = 0; i < kCubic; ++i)
+        cubic[i] = values[i];
+}
+
+double dot(const double* a, const float* b, int count) {
+    double sum = 0;
+    for (int i = 0; i < count; ++i)
+        sum += a[i] * double(b[i]);
+    return sum;
+}
+
+/// Of one vertex of mass m.
+void set_moments(double mass, const Eigen::Vector3d& normal, GridNode& node) {
+    const Eigen::Vector3d mn = mass * normal;
+    double cubic[kCubic];
+    cubic_monomials(normal, cubic);
+    float* t = node.moments;
+    t[0] = float(mass), t[1] = float(mn.x()), t[2] = float(mn.y()), t[3] = float(mn.z());
+    for (int i = 0; i < kCubic; ++i)
+        t[kFirstCubic + i] = float(mass * cubic[i]);
+    t[14] = t[15] = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int i = 0; i < kCubic; ++i)
+            t[kMoments + kTimes[axis][i]] = float(mn[axis] * cubic[i]);
+    t[2 * kMoments - 1] = 0;
+}
+
+/// Around p, for its normal.
+struct ContractedMoments {
+    double mass = 0;           ///< Σ m w
+    Eigen::Vector3d normal;    ///< Σ m w n_q
+    Eigen::Vector3d gradient;  ///< of the mass, as the derivatives in `sums`
+};
+
+/// With w = facing_weight() or 1.
+ContractedMoments contract(const PointSums& sums, const Eigen::Vector3d& n, bool facing) {
+    const float* t = sums.moments;
+    const Eigen::Vector3d first(t[1], t[2], t[3]);
+    if (!facing)
+        return {t[0], first,
+                Eigen::Vector3d(sums.derivatives[0][0], sums.derivatives[1][0],
+                                sums.derivatives[2][0])};
+    // w(c) = 1/2 + 3/4 c - 1/4 c^3, c = n_q·n_p; powers of c contract moments with n_p. c n_q =
+    // c n_q |n_q|² has degree 4, too.
+    double cubic[kCubic], weights[kFirstCubic + kCubic], normal_weights[kCubic];
+    const double linear[4] = {0.75 * n.x(), 0.75 * n.y(), 0.75 * n.z(), 0};
+    cubic_monomials(n, cubic);
+    weights[0] = 0.5;
+    for (int axis = 0; axis < 3; ++axis)
+        weights[1 + axis] = linear[axis];
+    for (int i = 0; i < kCubic; ++i) {
+        weights[kFirstCubic + i] = -0.25 * kEntries[i] * cubic[i];
+        normal_weights[i] = weights[kFirstCubic + i] + linear[kOddAxis[i]];
+    }
+    ContractedMoments result;
+    result.mass = dot(weights, t, kFirstCubic + kCubic);
+    for (int axis = 0; axis < 3; ++axis) {
+        result.normal[axis] = 0.5 * first[axis];
+        for (int i = 0; i < kCubic; ++i)
+            result.normal[axis] += normal_weights[i] * double(t[kMoments + kTimes[axis][i]]);
+        result.gradient[axis] = dot(weights, sums.derivatives[axis], kFirstCubic + kCubic);
+    }
+    return result;
+}
+
+// ---- kernel ----
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr int kFrequencies = 512;
+constexpr int kAliases = 4;
+
+/// Fourier transform.
+double spline_transform(double w, int degree) {
+    return std::pow(std::sin(w / 2) / (w / 2), degree + 1);
+}
+
+double influence(double w, double sigma) {
+    double spread_aliases = 0, value_aliases = 0;
+    for (int m = -kAliases; m <= kAliases; ++m) {
+        spread_aliases += std::pow(spline_transform(w + 2 * kPi * m, 3), 2);
+        value_aliases += std::pow(spline_transform(w + 2 * kPi * m, 4), 2);
+    }
+    const double gaussian = sigma * std::sqrt(2 * kPi) * std::exp(-sigma * sigma * w * w / 2);
+    return gaussian * spline_transform(w, 3) * spline_transform(w, 4) /
+           (spread_aliases * value_aliases);
+}
+
+/// The filter from masses spread by cubic B-splines to values half a cell further on from which
+/// quartic B-splines interpolate Σ m exp(−x²/2σ²); σ in cells. Symmetric: tap j, 0 <= j < count, is
+/// for nodes at the distance j + 1/2. The optimal influence function of Hockney and Eastwood,
+/// section 8-3, along one axis.
+std::vector<double> spline_kernel(double sigma, int count) {
+    std::vector<double> taps(std::size_t(count), 0);
+    for (int f = 0; f < kFrequencies; ++f) {
+        const double w = kPi * (f + 0.5) / kFrequencies;
+        const double value = influence(w, sigma) / kFrequencies;
+        for (int j = 0; j < count; ++j)
+            taps[std::size_t(j)] += value * std::cos((j + 0.5) * w);
+    }
+    return taps;
+}
+
+/// Nodes to each side of a value half way between two of them; size: √h in cells.
+int tap_count(double size, const GridResolution& resolution) {
+    return int(std::ceil(resolution.cutoff * size + 0.5));
+}
+
+/// spline_kernel() as a row: taps[size / 2 + d] goes from node i to the value half a cell after
+/// node i − d. Zero-padded to whole blocks.
+std::vector<float> kernel_taps(double size, const GridResolution& resolution, int reach) {
+    const int count = tap_count(size, resolution), middle = kBlock * reach + kBlock - 1;
+    const std::vector<double> half = spline_kernel(std::sqrt(2.0) * size, count);
+    std::vector<float> taps(std::size_t(2 * middle + 1), 0.f);
+    for (int i = 0; i < count; ++i)
+        taps[std::size_t(middle + i + 1)] = taps[std::size_t(middle - i)] =
+            float(half[std::size_t(i)]);
+    return taps;
+}
+
+// ---- sums ----
 
 constexpr std::uint32_t kChunk = 512;  // points that are worked on at once
 
@@ -23,34 +184,21 @@ struct Chunk {
     RowMask rows[8];  // by part of the box, see clear_rows(): those it spreads to
 };
 
-/// In blocks, of the convolution with the band's largest kernel.
-int reach(const SizeBand& band, const GridGeometry& grid, const GridResolution& resolution) {
-    const int taps = tap_count(band.nodes().back() / grid.cell, resolution);
-    return (taps + kBlock - 1) / kBlock;
-}
-
-/// For the targets of one band of kernel sizes; see docs/algorithms.md.
-template <class Real, int Groups>
+/// See docs/algorithms.md.
 class GridSum {
-    using Node = GridNode<Real, Groups>;
-    using Slab = BlockSlab<Node>;
-
 public:
     GridSum(const PreparedMesh& mesh, const std::vector<Eigen::Vector3d>& normals,
-            const GridGeometry& grid, const GridPoints& points, const SizeBand& band,
-            const GridResolution& resolution, const GaussianKernel& kernel, GaussianSums& sums)
+            const GaussianKernel& kernel, const GridResolution& resolution, GaussianSums& sums)
         : mesh_(mesh),
           normals_(normals),
-          grid_(grid),
-          points_(points),
-          band_(band),
-          kernel_(kernel),
+          size_(double(kernel.kernel_sizes.front())),
+          facing_(kernel.facing),
           sums_(sums),
-          reach_(reach(band, grid, resolution)) {
-        for (double size : band.nodes())
-            levels_.emplace_back(grid, points.target_nodes(), reach_,
-                                 kernel_taps<Real>(size / grid.cell, resolution, reach_));
-    }
+          grid_(mesh.positions, resolution.cell * size_),
+          points_(grid_, mesh.positions),
+          reach_((tap_count(size_ / grid_.cell, resolution) + kBlock - 1) / kBlock),
+          convolution_(grid_, points_.target_nodes(), reach_,
+                       kernel_taps(size_ / grid_.cell, resolution, reach_)) {}
 
     void run(const StageProgress& stage) {
         const int slabs = grid_.blocks[2];
@@ -60,10 +208,8 @@ public:
                 spread_points(slab);
                 merge_boxes(slab);
             }
-            for (GridConvolution<Real, Groups>& level : levels_) {
-                level.add_slab(slab, masses_);
-                if (slab >= reach_ && slab - reach_ < slabs) level.finish_slab(slab - reach_);
-            }
+            convolution_.add_slab(slab, masses_);
+            if (slab >= reach_ && slab - reach_ < slabs) convolution_.finish_slab(slab - reach_);
             if (slab > reach_) interpolate_points(slab - reach_ - 1);
         }
     }
@@ -73,7 +219,7 @@ private:
     struct SpreadSlab {
         std::vector<Chunk> chunks;
         std::vector<std::uint32_t> first_chunk;  // [sites + 1]
-        NodeBuffer<Node> boxes;                  // kBoxNodes a chunk
+        std::vector<GridNode> boxes;             // kBoxNodes a chunk
     };
 
     std::size_t block(int slab, std::size_t site) const {
@@ -110,15 +256,15 @@ private:
             ++s.first_chunk[chunk.site + 1];
         for (std::size_t c = 1; c < s.first_chunk.size(); ++c)
             s.first_chunk[c] += s.first_chunk[c - 1];
-        s.boxes.grow(s.chunks.size() * kBoxNodes);
+        grow(s.boxes, s.chunks.size() * kBoxNodes);
         in_parallel(s.chunks.size(), [&](std::size_t i) {
             Chunk& chunk = s.chunks[i];
             spread_chunk(chunk, points_.first_nodes(block(slab, chunk.site)),
-                         s.boxes.get() + i * kBoxNodes);
+                         s.boxes.data() + i * kBoxNodes);
         });
     }
 
-    void spread_chunk(Chunk& chunk, BlockMask first_nodes, Node* box) const {
+    void spread_chunk(Chunk& chunk, BlockMask first_nodes, GridNode* box) const {
         BlockMask nodes[8] = {};
         kSpreadNodes.visit_all(first_nodes, [&](int part, BlockMask mask) { nodes[part] |= mask; });
         for (int part = 0; part < 8; ++part) {
@@ -126,10 +272,10 @@ private:
             loops_.clear_rows(part, chunk.rows[part], box);
         }
         // The cubic splines' first node is the second one.
-        Node* const second = box + (kBox + 1) * kBox + 1;
+        GridNode* const second = box + (kBox + 1) * kBox + 1;
         for (const std::uint32_t* p = chunk.begin; p < chunk.end; ++p) {
             CellPlace place;
-            Node value;
+            GridNode value;
             set_moments(mesh_.masses[*p], normals_[*p], value);
             const std::size_t corner = locate(*p, place);
             loops_.spread(value, place, second + corner);
@@ -145,100 +291,69 @@ private:
         const std::size_t row = std::size_t(grid_.blocks[0]);
         in_parallel(masses_.sites().size(), [&](std::size_t i) {
             const std::size_t site = masses_.sites()[i];
-            Node* nodes = masses_.block(site);
-            std::memset(static_cast<void*>(nodes), 0, sizeof(Node) * kBlockNodes);
+            GridNode* nodes = masses_.block(site);
+            std::memset(static_cast<void*>(nodes), 0, sizeof(GridNode) * kBlockNodes);
             for (int part = 0; part < 8; ++part) {
                 const std::size_t step = std::size_t(part & 1) + row * std::size_t(part >> 1 & 1);
                 if (step > site || slab < part >> 2) continue;
                 const SpreadSlab& s = spread_[(slab - (part >> 2)) % 2];
                 for (std::uint32_t c = s.first_chunk[site - step];
                      c < s.first_chunk[site - step + 1]; ++c)
-                    loops_.add_rows(part, s.chunks[c].rows[part], s.boxes.get() + c * kBoxNodes,
+                    loops_.add_rows(part, s.chunks[c].rows[part], s.boxes.data() + c * kBoxNodes,
                                     nodes);
             }
         });
     }
 
-    void fill_box(const GridConvolution<Real, Groups>& level, int slab, std::size_t site,
-                  Node* box) const {
+    void fill_box(int slab, std::size_t site, GridNode* box) const {
         for (int part = 0; part < 8; ++part) {
             const std::size_t other = site + std::size_t(part & 1) +
                                       std::size_t(grid_.blocks[0]) * std::size_t(part >> 1 & 1);
             if (other >= grid_.sites()) continue;
-            const Slab& z = level.result(slab + (part >> 2));
+            const BlockSlab& z = convolution_.result(slab + (part >> 2));
             loops_.copy_rows(part, rows_of(z.mask(other), 0), z.block(other), box);
         }
     }
 
     void interpolate_points(int slab) {
         list_chunks(slab, chunks_);
-        in_parallel<NodeBuffer<Node>>(chunks_.size(), [&](std::size_t i, NodeBuffer<Node>& buffer) {
-            const Chunk& chunk = chunks_[i];
-            Node* boxes = buffer.grow(kBoxNodes * levels_.size());
-            for (std::size_t j = 0; j < levels_.size(); ++j)
-                fill_box(levels_[j], slab, chunk.site, boxes + j * kBoxNodes);
-            for (const std::uint32_t* p = chunk.begin; p < chunk.end; ++p)
-                if (band_.contains(kernel_.kernel_sizes[*p])) write(*p, boxes);
-        });
+        in_parallel<std::vector<GridNode>>(
+            chunks_.size(), [&](std::size_t i, std::vector<GridNode>& nodes) {
+                const Chunk& chunk = chunks_[i];
+                GridNode* box = grow(nodes, kBoxNodes);
+                fill_box(slab, chunk.site, box);
+                for (const std::uint32_t* p = chunk.begin; p < chunk.end; ++p)
+                    write(*p, box);
+            });
     }
 
-    void write(std::uint32_t p, const Node* boxes) const {
+    void write(std::uint32_t p, const GridNode* box) const {
         CellPlace place;
-        const std::size_t corner = locate(p, place);
-        ContractedMoments total{0, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-        double weights[SizeBand::kMaxNodes];
-        band_.weights(kernel_.kernel_sizes[p], weights);
-        for (std::size_t j = 0; j < levels_.size(); ++j) {
-            PointSums<Real, Groups> sums;
-            loops_.interpolate(boxes + j * kBoxNodes + corner, place, sums);
-            const ContractedMoments at = contract(sums, normals_[p]);
-            // The Gaussian's derivative is (q − p)/(2h) times it.
-            const double size = band_.nodes()[j], to_moment = 2 * size * size / grid_.cell;
-            total.mass += weights[j] * at.mass;
-            total.normal += weights[j] * at.normal;
-            for (int axis = 0; axis < 3; ++axis)
-                total.gradient[grid_.axes[axis]] += weights[j] * to_moment * at.gradient[axis];
-        }
-        sums_.mass[p] = float(total.mass);
-        sums_.first_moment[p] = total.gradient.cast<float>();
-        sums_.normal_difference[p] = (total.normal - total.mass * normals_[p]).cast<float>();
+        PointSums sums;
+        loops_.interpolate(box + locate(p, place), place, sums);
+        const ContractedMoments at = contract(sums, normals_[p], facing_);
+        // The Gaussian's derivative is (q − p)/(2h) times it.
+        const double to_moment = 2 * size_ * size_ / grid_.cell;
+        sums_.mass[p] = float(at.mass);
+        for (int axis = 0; axis < 3; ++axis)
+            sums_.first_moment[p][grid_.axes[axis]] = float(to_moment * at.gradient[axis]);
+        sums_.normal_difference[p] = (at.normal - at.mass * normals_[p]).cast<float>();
     }
 
     const PreparedMesh& mesh_;
     const std::vector<Eigen::Vector3d>& normals_;
-    const GridGeometry& grid_;
-    const GridPoints& points_;
-    const SizeBand& band_;
-    const GridLoops<Real, Groups>& loops_ = fastest<GridLoops<Real, Groups>>();
-    const GaussianKernel& kernel_;
+    const double size_;  // √h
+    const bool facing_;
     GaussianSums& sums_;
-    const int reach_;
-    std::vector<GridConvolution<Real, Groups>> levels_;
+    const GridGeometry grid_;
+    const GridPoints points_;
+    const GridLoops& loops_ = fastest<GridLoops>();
+    const int reach_;  // of the convolution, in blocks
+    GridConvolution convolution_;
     SpreadSlab spread_[2];
-    Slab masses_;
+    BlockSlab masses_;
     std::vector<Chunk> chunks_;
 };
-
-template <class Real, int Groups>
-void sum_bands(const PreparedMesh& mesh, const std::vector<Eigen::Vector3d>& normals,
-               const GaussianKernel& kernel, const GridResolution& resolution,
-               const StageProgress& stage, GaussianSums& sums) {
-    const std::vector<SizeBand> bands = size_bands(kernel.kernel_sizes, resolution.band_nodes);
-    for (std::size_t b = 0; b < bands.size(); ++b) {
-        const GridGeometry grid(mesh.positions, resolution.cell * bands[b].nodes().front());
-        GridPoints points(grid, mesh.positions);
-        if (bands.size() > 1) {
-            std::vector<bool> is_target(mesh.size());
-            for (std::size_t v = 0; v < mesh.size(); ++v)
-                is_target[v] = bands[b].contains(kernel.kernel_sizes[v]);
-            points.restrict_to_targets(grid, mesh.positions, is_target,
-                                       1 + reach(bands[b], grid, resolution));
-        }
-        GridSum<Real, Groups>(mesh, normals, grid, points, bands[b], resolution, kernel, sums)
-            .run(
-                stage.part(double(b) / double(bands.size()), double(b + 1) / double(bands.size())));
-    }
-}
 
 }  // namespace
 
@@ -246,10 +361,7 @@ GaussianSums grid_sums(const PreparedMesh& mesh, const std::vector<Eigen::Vector
                        const GaussianKernel& kernel, const GridResolution& resolution,
                        const StageProgress& stage) {
     GaussianSums sums(mesh.size());
-    const bool doubles = resolution.doubles;
-    const auto facing = doubles ? sum_bands<double, 2> : sum_bands<float, 2>;
-    const auto plain = doubles ? sum_bands<double, 1> : sum_bands<float, 1>;
-    (kernel.facing ? facing : plain)(mesh, normals, kernel, resolution, stage, sums);
+    GridSum(mesh, normals, kernel, resolution, sums).run(stage);
     return sums;
 }
 

@@ -6,13 +6,20 @@
 
 #include "mesh/prepared_mesh.h"
 #include "mesh/spatial_tree.h"
-#include "sums/spline_kernel.h"
 #include "system/large_array.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
 
 constexpr double kQuickError = 8e-5;  ///< of a quick Gaussian, relative
+
+/// Weight by the cosine between two normals ("Skip Opposite Sheet"): 1 for equal ones, 1/2 at a
+/// right angle, 0 for opposite ones, flat at both ends, so that smooth surfaces keep their Δn up to
+/// second order in h|A|². A polynomial, so that it can be summed over a grid as moments of the
+/// normals.
+inline double facing_weight(double cosine) {
+    return (1 + cosine) * (1 + cosine) * (2 - cosine) / 4;
+}
 
 /// w(q) = m_q exp(−|q−p|²/(4 h(p)) − normal_falloff |n_q−n_p|²) over the vertices q within
 /// `cutoff`·√h(p) of p.
@@ -43,12 +50,14 @@ GaussianSums gaussian_sums(const PreparedMesh& mesh, const SpatialTree& tree,
                            const std::vector<Eigen::Vector3d>& normals,
                            const GaussianKernel& kernel, const StageProgress& stage);
 
-/// As gaussian_sums() without cutoff and normal_falloff, as exact as the resolution, in a time that
-/// hardly depends on the kernel size: masses times moments of the normals are spread over a grid by
-/// cubic B-splines, convolved along x, y and z, and interpolated (R. W. Hockney and J. W. Eastwood,
-/// "Computer Simulation Using Particles", 1981; the idea is from L. Greengard and J. Strain, "The
-/// Fast Gauss Transform", 1991). Only nodes near the surface exist, and one slab of blocks is
-/// worked on after the other.
+struct GridResolution;  // summation_cost.h
+
+/// As gaussian_sums() without cutoff and normal_falloff, of kernels of one size, as exact as the
+/// resolution, in a time that hardly depends on the kernel size: masses times moments of the
+/// normals are spread over a grid by cubic B-splines, convolved along x, y and z, and interpolated
+/// (R. W. Hockney and J. W. Eastwood, "Computer Simulation Using Particles", 1981; the idea is from
+/// L. Greengard and J. Strain, "The Fast Gauss Transform", 1991). Only nodes near the surface
+/// exist, and one slab of blocks is worked on after the other.
 GaussianSums grid_sums(const PreparedMesh& mesh, const std::vector<Eigen::Vector3d>& normals,
                        const GaussianKernel& kernel, const GridResolution& resolution,
                        const StageProgress& stage);

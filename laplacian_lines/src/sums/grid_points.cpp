@@ -2,6 +2,7 @@
 #include "sums/grid_points.h"
 
 #include <Eigen/Geometry>
+#include <numeric>
 
 #include "mesh/bounding_box.h"
 #include "system/parallel.h"
@@ -41,17 +42,6 @@ std::vector<BlockMask> reached_nodes(const GridGeometry& grid, const ReachedNode
     return nodes;
 }
 
-/// Sets the flags up to `reach` away from a set one along the axis with that stride.
-void dilate(std::vector<std::uint8_t>& flags, int count, std::size_t stride, int reach) {
-    const std::vector<std::uint8_t> before = flags;
-    for (std::size_t i = 0; i < flags.size(); ++i) {
-        if (!before[i]) continue;
-        const int at = int(i / stride) % count;
-        for (int j = std::max(0, at - reach); j <= std::min(count - 1, at + reach); ++j)
-            flags[i + std::size_t(j) * stride - std::size_t(at) * stride] = 1;
-    }
-}
-
 }  // namespace
 
 // Cubic splines reach four nodes from the second one on, quartic ones five.
@@ -82,7 +72,7 @@ GridGeometry::GridGeometry(const std::vector<Eigen::Vector3d>& points, double ce
 }
 
 GridPoints::GridPoints(const GridGeometry& grid, const std::vector<Eigen::Vector3d>& positions)
-    : starts_(std::size_t(grid.block_count()) + 1, 0),
+    : starts_(std::size_t(grid.block_count()) + 2, 0),
       order_(positions.size()),
       first_nodes_(std::size_t(grid.block_count()), 0) {
     std::vector<std::uint32_t> block(positions.size());
@@ -94,44 +84,10 @@ GridPoints::GridPoints(const GridGeometry& grid, const std::vector<Eigen::Vector
     source_nodes_ = reached_nodes(grid, kSpreadNodes, first_nodes_);
     target_nodes_ = reached_nodes(grid, kInterpolatedNodes, first_nodes_);
     for (std::uint32_t b : block)
-        ++starts_[b + 1];
-    for (std::size_t b = 1; b < starts_.size(); ++b)
-        starts_[b] += starts_[b - 1];
+        ++starts_[b + 2];
+    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
     for (std::size_t i = 0; i < positions.size(); ++i)
-        order_[starts_[block[i]]++] = std::uint32_t(i);
-    for (std::size_t b = starts_.size() - 1; b > 0; --b)
-        starts_[b] = starts_[b - 1];
-    starts_[0] = 0;
-}
-
-void GridPoints::restrict_to_targets(const GridGeometry& grid,
-                                     const std::vector<Eigen::Vector3d>& positions,
-                                     const std::vector<bool>& is_target, int reach) {
-    std::vector<BlockMask> first_nodes(first_nodes_.size(), 0);
-    std::vector<std::uint8_t> near(first_nodes.size(), 0);
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        if (!is_target[i]) continue;
-        const Eigen::Array3i node = grid.first_node(positions[i]);
-        const std::size_t block = block_of(grid, node);
-        first_nodes[block] |= bit_of(node);
-        near[block] = 1;
-    }
-    target_nodes_ = reached_nodes(grid, kInterpolatedNodes, first_nodes);
-    std::size_t stride = 1;
-    for (int axis = 0; axis < 3; ++axis) {
-        dilate(near, grid.blocks[axis], stride, reach);
-        stride *= std::size_t(grid.blocks[axis]);
-    }
-    std::uint32_t kept = 0;
-    for (std::size_t b = 0; b < near.size(); ++b) {
-        const std::uint32_t begin = starts_[b], end = starts_[b + 1];
-        starts_[b] = kept;
-        if (!near[b]) first_nodes_[b] = 0;
-        for (std::uint32_t i = begin; near[b] && i < end; ++i)
-            order_[kept++] = order_[i];
-    }
-    starts_.back() = kept;
-    source_nodes_ = reached_nodes(grid, kSpreadNodes, first_nodes_);
+        order_[starts_[block[i] + 1]++] = std::uint32_t(i);
 }
 
 }  // namespace laplacian_lines

@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "mesh/prepared_mesh.h"
-#include "sums/block_rows.h"
 #include "sums/simd_grid.h"
 
 namespace laplacian_lines {
@@ -72,13 +70,7 @@ class GridPoints {
 public:
     GridPoints(const GridGeometry& grid, const std::vector<Eigen::Vector3d>& positions);
 
-    /// Drops points more than `reach` blocks away, along an axis, from every target, and forgets
-    /// which nodes the others reach.
-    void restrict_to_targets(const GridGeometry& grid,
-                             const std::vector<Eigen::Vector3d>& positions,
-                             const std::vector<bool>& is_target, int reach);
-
-    /// Nodes that some point or some target reaches, by block.
+    /// Nodes that some point spreads to, or is interpolated from, by block.
     const std::vector<BlockMask>& source_nodes() const { return source_nodes_; }
     const std::vector<BlockMask>& target_nodes() const { return target_nodes_; }
     /// By the points of a block.
@@ -87,8 +79,8 @@ public:
     const std::uint32_t* end(std::size_t block) const { return order_.data() + starts_[block + 1]; }
 
 private:
-    std::vector<std::uint32_t> starts_, order_;
-    std::vector<BlockMask> first_nodes_;  // of the points of each block
+    std::vector<std::uint32_t> starts_, order_;  // starts by block, and an end
+    std::vector<BlockMask> first_nodes_;         // of the points of each block
     std::vector<BlockMask> source_nodes_, target_nodes_;
 };
 

@@ -3,12 +3,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
 #include "laplacian_lines/error.h"
 #include "sums/grid_points.h"
-#include "sums/size_band.h"
 
 namespace laplacian_lines {
 namespace {
@@ -18,11 +18,11 @@ constexpr double kPerLeafPair = 0.45;  // 32 x 32 pairs, of which many are beyon
 constexpr double kQuick = 0.52;        // times that cost, with quick Gaussians
 constexpr double kPerVertex = 0.26;    // to spread and to interpolate
 constexpr double kPerNode = 0.135;     // one tap for every cell of the surface's area
-constexpr double kDoubles = 2.2;       // times the cost of floats
-constexpr double kOneGroup = 0.6;      // times the cost of two groups of moments
 constexpr std::size_t kSampledLeaves = 64;
 // Tables take 20 bytes a block.
 constexpr double kBlocksPerVertex = 8;
+
+constexpr double kLeastRoughness = 0.01;  // a plane: Δn is next to nothing
 
 constexpr double kEndless = 3e7;  // half a minute
 
@@ -42,28 +42,32 @@ double direct_cost(const SpatialTree& tree, RadiusAt radius_at) {
 
 double grid_cost(const PreparedMesh& mesh, const GaussianKernel& kernel,
                  const GridResolution& resolution) {
-    double cost = 0;
-    for (const SizeBand& band : size_bands(kernel.kernel_sizes, resolution.band_nodes)) {
-        const double cell = resolution.cell * band.nodes().front();
-        if (GridGeometry(mesh.positions, cell).block_count() >
-            kBlocksPerVertex * double(mesh.size()) + 1e6)
-            return std::numeric_limits<double>::infinity();
-        double vertices = 0, area = 0;
-        for (std::size_t v = 0; v < mesh.size(); ++v)
-            if (band.contains(kernel.kernel_sizes[v])) {
-                vertices += 1;
-                area += mesh.masses[v];
-            }
-        const double levels = double(band.nodes().size());
-        const double taps = 2 * resolution.cutoff * band.nodes().back() / cell;
-        // Half of the work on vertices is spreading, which all levels share.
-        cost += kPerVertex * vertices * (1 + levels) / 2;
-        cost += kPerNode * levels * taps * area / (cell * cell);
-    }
-    return cost * (kernel.facing ? 1 : kOneGroup) * (resolution.doubles ? kDoubles : 1);
+    const auto [least, most] =
+        std::minmax_element(kernel.kernel_sizes.begin(), kernel.kernel_sizes.end());
+    const double cell = resolution.cell * double(*least), vertices = double(mesh.size());
+    if (!resolution.is_exact || *least != *most ||
+        GridGeometry(mesh.positions, cell).block_count() > kBlocksPerVertex * vertices + 1e6)
+        return std::numeric_limits<double>::infinity();
+    const double area = sum_of(mesh.size(), [&](std::size_t v) { return mesh.masses[v]; });
+    const double taps = 2 * resolution.cutoff / resolution.cell;
+    return kPerVertex * vertices + kPerNode * taps * area / (cell * cell);
 }
 
 }  // namespace
+
+GridResolution grid_resolution(double accuracy, double roughness) {
+    const double turn = std::clamp(roughness, kLeastRoughness, 1.0);
+    GridResolution resolution;
+    // The largest error on the test meshes is 1.1e-3 cell^4.9 / turn down to 0.7 √h and falls more
+    // slowly below; tests/core/reference_test.cpp holds it to the accuracy.
+    resolution.cell = std::min(1.25, std::pow(accuracy * turn / 1.4e-3, 1 / 4.7));
+    // Beyond it lies less than a quarter of the accuracy of the second moment along an axis.
+    resolution.cutoff = 6.3 - 0.85 * std::log10(accuracy / 1e-3);
+    // The terms of Δn are turn² of the summed masses; those carry a rounding error of 3e-7. Where
+    // there is next to no turn, no more than the usual accuracy is to be had of it.
+    resolution.is_exact = accuracy >= 1e-3 || accuracy * turn * turn >= 6e-7;
+    return resolution;
+}
 
 SummationCosts summation_costs(const PreparedMesh& mesh, const SpatialTree& tree,
                                const GaussianKernel& kernel, const GridResolution& resolution) {

@@ -2,23 +2,26 @@
 #pragma once
 
 #include "sums/gaussian_sums.h"
-#include "sums/spline_kernel.h"
 
 namespace laplacian_lines {
 
-enum class Summation {
-    Fastest,  ///< the one of lower predicted cost
-    Direct,   ///< gaussian_sums()
-    Grid,     ///< grid_sums()
+struct GridResolution {
+    double cell = 0;       ///< in √h
+    double cutoff = 0;     ///< of the convolution along each axis, in √h
+    bool is_exact = true;  ///< else floats are too coarse for the accuracy
 };
+
+/// The coarsest grid that gives Δn to a relative accuracy, 1e-6..0.1. `roughness`: RMS of √h|S|,
+/// the turn of the normals within a kernel: all but about this part of the terms of Δn cancel on a
+/// smooth surface.
+GridResolution grid_resolution(double accuracy, double roughness);
 
 /// Predicted time on one thread, in that of a thousand pairs in the direct sum, about a
 /// microsecond. Depends on the mesh and the kernel, not on a clock.
 struct SummationCosts {
     double direct = 0;
-    double grid = 0;  ///< infinite if the grid would need too much memory
-
-    Summation fastest() const { return grid < direct ? Summation::Grid : Summation::Direct; }
+    double grid = 0;  ///< infinite if kernels differ in size, or if it would
+    ///< need too much memory or be too inexact
 };
 
 /// Of looking at all vertices within `radius` of each vertex.

@@ -5,11 +5,13 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <tuple>
 #include <vector>
 
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/progress.h"
-#include "system/thread_pool.h"
+#include "laplacian_lines/threads.h"
 
 namespace laplacian_lines {
 
@@ -21,7 +23,7 @@ public:
     /// `done`: 0..1. @throws Error(Cancelled)
     void report(double done) const {
         if (progress_ && !progress_(begin_ + (end_ - begin_) * done, name_))
-            throw Error(ErrorCode::Cancelled, "Cancelled; the mesh was not changed.");
+            refuse("Cancelled; the mesh was not changed.", ErrorCode::Cancelled);
     }
 
     StageProgress part(double begin, double end) const {
@@ -35,12 +37,57 @@ private:
     const char* name_;
 };
 
-/// Runs body(i, scratch) for i in [0, count) on several threads, each with its own Scratch, `grain`
-/// at a time. The body writes only to what belongs to i, so that the number of threads does not
-/// matter. Calls report(n), n growing up to count, from the calling thread; the first exception
-/// stops all and is rethrown.
-template <class Scratch, class Body, class Report>
-void parallel_for(std::size_t count, std::size_t grain, Body body, Report report) {
+/// The blocks of a loop, which its threads take in order.
+class Blocks {
+public:
+    explicit Blocks(std::size_t count) : count_(count) {}
+
+    bool take(std::size_t& block) {
+        block = next_.fetch_add(1, std::memory_order_relaxed);
+        return block < count_;
+    }
+    bool any_left() const { return next_.load(std::memory_order_relaxed) < count_; }
+    void stop() { next_.store(count_, std::memory_order_relaxed); }
+
+private:
+    const std::size_t count_;
+    std::atomic<std::size_t> next_{0};
+};
+
+/// Takes blocks until none is left. `worker` is 0 in the calling thread, 1.. in those that join.
+using SharedWork = std::function<void(unsigned worker, Blocks& blocks)>;
+
+void share_work(std::size_t blocks, unsigned workers, const SharedWork& work);
+
+/// Runs `work` in the calling thread and in idle threads of the pool, `workers` at most. Late ones
+/// get what is left: the caller only waits for blocks in progress. The first exception discards the
+/// blocks that are left and is rethrown. Work may share loops of its own. Thread-safe.
+template <class Work>
+void share(std::size_t blocks, unsigned workers, Work work) {
+    share_work(blocks, workers, std::ref(work));
+}
+
+/// Threads that pay for so many blocks, at least 1.
+unsigned workers_for(std::size_t blocks);
+
+/// Runs body(i, scratch) for i in [0, count) as in_parallel() does, each thread with its own
+/// Scratch.
+template <class Scratch, class Body>
+void in_parallel(std::size_t count, Body body) {
+    share(count, workers_for(count), [&](unsigned, Blocks& shared) {
+        Scratch scratch;
+        for (std::size_t i; shared.take(i);)
+            body(i, scratch);
+    });
+}
+
+struct NoScratch {};
+
+/// As a step of a longer computation, `grain` at a time. Reports from the calling thread, and the
+/// end in any case: it may have had no part in the work.
+template <class Scratch, class Body>
+void parallel_for(std::size_t count, const StageProgress& stage, Body body,
+                  std::size_t grain = 16) {
     std::atomic<std::size_t> finished{0};
     const std::size_t report_every = std::max<std::size_t>(1, count / 100);
     const std::size_t blocks = (count + grain - 1) / grain;
@@ -54,33 +101,11 @@ void parallel_for(std::size_t count, std::size_t grain, Body body, Report report
             const std::size_t done = finished.fetch_add(end - begin, std::memory_order_relaxed);
             if (worker == 0 && done >= next_report) {
                 next_report = done + report_every;
-                report(done);
+                stage.report(double(done) / double(count));
             }
         }
     });
-}
-
-/// As a step of a longer computation. Reports its end in any case: the calling thread may have had
-/// no part in the work.
-template <class Scratch, class Body>
-void parallel_for(std::size_t count, const StageProgress& stage, Body body,
-                  std::size_t grain = 16) {
-    parallel_for<Scratch>(count, grain, body,
-                          [&](std::size_t done) { stage.report(double(done) / double(count)); });
     stage.report(1);
-}
-
-/// Without reports, one at a time.
-template <class Scratch, class Body>
-void in_parallel(std::size_t count, Body body) {
-    parallel_for<Scratch>(count, 1, body, [](std::size_t) {});
-}
-
-struct NoScratch {};
-
-template <class Body>
-void in_parallel(std::size_t count, Body body) {
-    in_parallel<NoScratch>(count, [&](std::size_t i, NoScratch&) { body(i); });
 }
 
 constexpr std::size_t kBlockElements = 8192;
@@ -142,6 +167,26 @@ double sum_of(std::size_t count, ValueOf value_of) {
         return sum;
     };
     return join_blocks(count, 0., sum, [](double a, double b) { return a + b; });
+}
+
+/// Cuts `whole` in two, these again and so on, a level in parallel, until all threads have a share
+/// or parts are `small`. cut(part) returns a pair of about equal sizes and writes only to what
+/// belongs to its part. The result is a heap: part i is cut into 2i + 1 and 2i + 2; the first size
+/// / 2 are cut. The number of threads decides on the number of levels only.
+template <class Part, class Cut>
+std::vector<Part> halve_in_parallel(const Part& whole, std::size_t small, Cut cut) {
+    const auto threads = std::size_t(thread_limit());
+    const std::size_t enough = threads > 1 ? 8 * threads : 1;
+    std::vector<Part> parts = {whole};
+    for (std::size_t level = 0; parts.size() - level < enough && parts[level].size() > small;) {
+        const std::size_t next = parts.size();
+        parts.resize(2 * next + 1);
+        in_parallel(next - level, [&](std::size_t i) {
+            std::tie(parts[next + 2 * i], parts[next + 2 * i + 1]) = cut(parts[level + i]);
+        });
+        level = next;
+    }
+    return parts;
 }
 
 }  // namespace laplacian_lines

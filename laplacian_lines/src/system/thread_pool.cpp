@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "system/thread_pool.h"
-
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
@@ -11,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "laplacian_lines/threads.h"
+#include "system/parallel.h"
 
 #ifdef __linux__
 #include <sched.h>
@@ -186,6 +184,13 @@ void share_work(std::size_t blocks, unsigned workers, const SharedWork& work) {
     if (workers == 1) return work(0, loop.blocks);
     pool().run(loop);
     if (loop.failure) std::rethrow_exception(loop.failure);
+}
+
+void in_parallel(std::size_t count, const std::function<void(std::size_t)>& body) {
+    share(count, workers_for(count), [&](unsigned, Blocks& shared) {
+        for (std::size_t i; shared.take(i);)
+            body(i);
+    });
 }
 
 }  // namespace laplacian_lines

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <set>
 
+#include "laplacian_lines/threads.h"
 #include "line_drawing/words.h"
 #include "options/progress_part.h"
 #include "planes/lettering.h"
 #include "sheet/sheet_layout.h"
 #include "sight/object_lines.h"
 #include "sight/observer.h"
-#include "system/parallel.h"
 
 namespace line_drawing {
 namespace {
@@ -129,7 +129,9 @@ std::vector<double> look(const Observer& observer, Draft& draft, const Progress&
             laplacian_lines::in_parallel(2, [&](std::size_t is_check) {
                 if (is_check ? i > 0 : i < count) is_check ? check(i - 1) : look_at(i);
             });
-    laplacian_lines::StageProgress(progress, 0, 1, "Finding what is seen").report(1);
+    if (progress && !progress(1, "Finding what is seen"))
+        laplacian_lines::refuse("Cancelled; the mesh was not changed.",
+                                laplacian_lines::ErrorCode::Cancelled);
     return missing;
 }
 
@@ -145,11 +147,10 @@ Sheet draw(const Observer& observer, Draft& draft, const Progress& progress) {
         if (!views[i].note.empty()) sheet.remarks.push_back(remarkOn(views[i].note));
     }
     sheet.groups.resize(views.size());
-    laplacian_lines::in_parallel<laplacian_lines::NoScratch>(
-        views.size(), [&](std::size_t i, laplacian_lines::NoScratch&) {
-            sheet.groups[i] =
-                drawView(views[i], i + 1, layout.placements[i], layout.places[i], options);
-        });
+    laplacian_lines::in_parallel(views.size(), [&](std::size_t i) {
+        sheet.groups[i] =
+            drawView(views[i], i + 1, layout.placements[i], layout.places[i], options);
+    });
     tellApart(sheet.groups);
     SheetGroup furniture =
         drawFurniture(views, layout, options.mm_per_unit * observer.objectSize(), options, sheet);

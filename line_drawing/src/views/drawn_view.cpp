@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "system/parallel.h"
-
 namespace line_drawing {
 namespace {
 
@@ -149,17 +147,12 @@ bool isInner(const DrawnLine& line) {
 }
 
 Eigen::AlignedBox3d boundsOf(const TriangleMesh& mesh) {
-    const auto box_of = [&](std::size_t begin, std::size_t end) {
-        Eigen::AlignedBox3d box;
-        for (std::size_t t = begin; t < end; ++t)
-            for (const std::uint32_t v : mesh.triangles[t])
-                if (v < mesh.positions.size() && mesh.positions[v].allFinite())
-                    box.extend(mesh.positions[v]);
-        return box;
-    };
-    return laplacian_lines::join_blocks(
-        mesh.triangles.size(), Eigen::AlignedBox3d(), box_of,
-        [](const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) { return a.merged(b); });
+    Eigen::AlignedBox3d box;
+    for (const laplacian_lines::Triangle& triangle : mesh.triangles)
+        for (const std::uint32_t v : triangle)
+            if (v < mesh.positions.size() && mesh.positions[v].allFinite())
+                box.extend(mesh.positions[v]);
+    return box;
 }
 
 DrawnLine project(const std::vector<Vector3d>& section, const Projection& projection, double unit) {

@@ -1,11 +1,71 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What begins the work on a batch of clusters.
+// Leaves out whole clusters by bounds of n·l, and begins the work on batches of the others.
 #pragma once
 
-#include "redraw/simd/simd_kinds.h"
+#include "redraw/simd/redraw_loops.h"
+#include "redraw/simd/simd_signs.h"
 
 namespace laplacian_lines {
 namespace SIMD_SET {
+
+/// More than rounding does to a sum of products of about 1 with what it is a factor of.
+constexpr float kRoundingMargin = 1e-5f;
+
+/// Bounds of n·(e − w p) over the vertices of kFormGroup clusters.
+struct FacingRange {
+    alignas(kCacheUnit) float low[kFormGroup], high[kFormGroup];
+};
+static inline FacingRange bound_facing(const FacingBounds& bounds, const float eye[4]) {
+    const float w = eye[3], summed = __builtin_fabsf(eye[0]) + __builtin_fabsf(eye[1]) +
+                                     __builtin_fabsf(eye[2]) + __builtin_fabsf(w);
+    const Vectors e = {Floats{} + eye[0], Floats{} + eye[1], Floats{} + eye[2]};
+    FacingRange range;
+    for (unsigned i = 0; i < kFormGroup; i += kLanes) {
+        const Vectors n = load_vectors(bounds.normal, i),
+                      towards = e - load_vectors(bounds.centre, i) * (Floats{} + w);
+        Floats reach = w * load(bounds.height_range + i);
+        Floats size = absolute(n.x) + absolute(n.y) + absolute(n.z);
+        for (const auto& axis : bounds.axes) {
+            const Vectors a = load_vectors(axis, i);
+            reach += absolute(dot(a, towards));
+            size += absolute(a.x) + absolute(a.y) + absolute(a.z);
+        }
+        // The forms are summed from e and n·p, which may be larger than what is left of them.
+        reach += kRoundingMargin * size * summed;
+        const Floats middle = dot(n, towards) - w * load(bounds.height + i);
+        store(range.low + i, middle - reach);
+        store(range.high + i, middle + reach);
+    }
+    return range;
+}
+
+template <class Kinds>
+static std::size_t cull(const ClusterStore& store, const ExtractionTask& task, std::size_t begin,
+                        std::size_t end, KeptCluster* kept) {
+    std::size_t count = 0;
+    for (std::size_t first = begin; first < end; first += kFormGroup) {
+        const FacingRange facing = bound_facing(store.facing[first / kFormGroup], task.eye);
+        for (unsigned i = 0; i < kFormGroup && first + i < end; ++i) {
+            const float low = facing.low[i], high = facing.high[i];
+            KeptCluster& cluster = kept[count];
+            cluster.number = std::uint32_t(first + i);
+            bool any = false, front = low >= 0;
+            // Refused by what is certain, so that nothing is where numbers are out of range.
+            Kinds::for_each([&](auto kind, unsigned number) {
+                const ExtractionTask::Wanted& wanted = task.kinds[Kinds::kFirst + number];
+                const bool excluded =
+                    kind.kIsFacing ? (low >= 0) | (high < 0) : high < wanted.least_scaled_facing;
+                const bool may_hold = wanted.lines & !excluded;
+                cluster.may_hold[number] = may_hold;
+                any |= may_hold;
+                front &= low >= wanted.least_scaled_facing;
+            });
+            cluster.test_facing = !front;
+            count += any;
+        }
+    }
+    return count;
+}
 
 /// Reads memory once. Caches fetch many lines at a time only if nothing waits for the first of
 /// them.

@@ -5,10 +5,107 @@
 
 #include <cfloat>
 
-#include "redraw/simd/simd_columns.h"
+#include "redraw/simd/simd_signs.h"
 
 namespace laplacian_lines {
 namespace SIMD_SET {
+
+// ---- vertices as columns, for functions of the vertices that are no linear forms ----
+
+/// Rows of four numbers, one for each lane, as four columns. `row(lane)`: where it is.
+template <class Row>
+static inline void load_columns(const Row& row, Floats columns[4]) {
+    for (unsigned k = 0; k < 4; ++k) {
+        Float4 parts[kParts];
+        for (unsigned i = 0; i < kParts; ++i)
+            parts[i] = load4(row(4 * i + k));
+        columns[k] = join(parts);
+    }
+    transpose(columns);
+}
+/// The other way round.
+template <class Row>
+static inline void store_as_rows(Floats columns[4], const Row& row) {
+    transpose(columns);
+    for (unsigned k = 0; k < 4; ++k) {
+        Float4 parts[kParts];
+        split(columns[k], parts);
+        for (unsigned i = 0; i < kParts; ++i)
+            store4(row(4 * i + k), parts[i]);
+    }
+}
+
+/// A tangent in each lane, by its parts along u and v of the frames that S̄ and C are given in.
+struct Tangents {
+    Floats u, v;
+
+    Tangents operator-(const Tangents& b) const { return {u - b.u, v - b.v}; }
+    Tangents operator+(const Tangents& b) const { return {u + b.u, v + b.v}; }
+    Tangents operator*(Floats s) const { return {u * s, v * s}; }
+};
+static inline Floats dot(const Tangents& a, const Tangents& b) {
+    return a.u * b.u + a.v * b.v;
+}
+
+/// kLanes vertices with S̄·D, C·D² and the frame that these are given in.
+class CurvatureColumns {
+public:
+    /// Vertices i to i + kLanes − 1 of a cluster; those beyond the last one repeat it.
+    CurvatureColumns(const CurvatureRecord* records, unsigned i, unsigned count) {
+        const auto record = [&](unsigned lane) -> const CurvatureRecord& {
+            return records[i + lane < count ? i + lane : count - 1];
+        };
+        Floats p[4], n[4], s[4];
+        load_columns([&](unsigned k) { return record(k).position; }, p);
+        load_columns([&](unsigned k) { return record(k).normal; }, n);
+        load_columns([&](unsigned k) { return record(k).curvature; }, s);
+        load_columns([&](unsigned k) { return record(k).derivative; }, c_);
+        position = {p[0], p[1], p[2]};
+        normal = {n[0], n[1], n[2]};
+        suu_ = s[0], suv_ = s[1], svv_ = s[2];
+        make_frame();
+    }
+
+    /// The tangential part of a vector.
+    Tangents tangent(const Vectors& x) const { return {dot(u_, x), dot(v_, x)}; }
+    Vectors in_space(const Tangents& x) const { return u_ * x.u + v_ * x.v; }
+
+    Tangents S(const Tangents& x) const {
+        return {suu_ * x.u + suv_ * x.v, suv_ * x.u + svv_ * x.v};
+    }
+    Floats C(const Tangents& x, const Tangents& y, const Tangents& z) const {
+        const Floats uu = x.u * y.u, uv = x.u * y.v + x.v * y.u, vv = x.v * y.v;
+        return z.u * (c_[0] * uu + c_[1] * uv + c_[2] * vv) +
+               z.v * (c_[1] * uu + c_[2] * uv + c_[3] * vv);
+    }
+
+    Vectors position, normal;
+
+private:
+    /// tangent_frame().
+    void make_frame() {
+        const Floats one = Floats{} + 1;
+        const Floats sign = (Floats)(((Ints)normal.z & std::int32_t(0x80000000)) | (Ints)one);
+        const Floats a = -1 / (sign + normal.z), b = normal.x * normal.y * a;
+        u_ = {1 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x};
+        v_ = {b, sign + normal.y * normal.y * a, -normal.y};
+    }
+
+    Vectors u_, v_;
+    Floats suu_, suv_, svv_, c_[4];
+};
+
+// ---- crossings ----
+
+template <std::size_t Count>
+static inline void store_vectors(const Vectors& v, float (&to)[3][Count], std::size_t lane) {
+    store(to[0] + lane, v.x);
+    store(to[1] + lane, v.y);
+    store(to[2] + lane, v.z);
+}
+static inline Vectors cross(const Vectors& a, const Vectors& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 
 /// Where crossings [0, count) are on their edges, from the values at the ends.
 static inline void find_shares(const float* values, CrossingMemory& m, std::size_t count) {
@@ -64,9 +161,10 @@ static inline void find_points(const Batch& batch, const float eye_of_light[4], 
         EdgePoints points = find_edge_points(batch, eye_of_light, m, i);
         auto& [p, g] = points;
         p[3] = square_root(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
-        store(m.x + i, p[0]), store(m.y + i, p[1]), store(m.z + i, p[2]);
-        store(m.gx + i, g[0]), store(m.gy + i, g[1]), store(m.gz + i, g[2]);
-        store(m.lit + i, g[3]), store(m.gradient + i, p[3]);
+        store_vectors({p[0], p[1], p[2]}, m.position, i);
+        store_vectors({g[0], g[1], g[2]}, m.g, i);
+        store(m.lit + i, g[3]);
+        store(m.gradient + i, p[3]);
         store_as_rows(p, [&](unsigned lane) { return m.points[i + lane]; });
         store_as_rows(g, [&](unsigned lane) { return m.gradients[i + lane]; });
     }
@@ -91,20 +189,25 @@ static inline void accept(Ints accepted, CrossingMemory& m, std::size_t i) {
 /// Columns of gradients that a kind has changed, as rows.
 static inline void store_gradients(CrossingMemory& m, std::size_t count) {
     for (std::size_t i = 0; i < count; i += kLanes) {
-        Floats rows[4] = {load(m.gx + i), load(m.gy + i), load(m.gz + i), load(m.lit + i)};
+        const Vectors g = load_vectors(m.g, i);
+        Floats rows[4] = {g.x, g.y, g.z, load(m.lit + i)};
         store_as_rows(rows, [&](unsigned lane) { return m.gradients[i + lane]; });
     }
 }
 
-/// From crossings [i, i + kLanes) to an eye or light, and the square of the distance.
-struct Towards {
-    Floats x, y, z, squared;
-};
-static inline Towards towards(const float eye[4], const CrossingMemory& m, std::size_t i) {
-    const Floats x = eye[0] - eye[3] * load(m.x + i), y = eye[1] - eye[3] * load(m.y + i),
-                 z = eye[2] - eye[3] * load(m.z + i);
-    return {x, y, z, x * x + y * y + z * z};
+/// From crossings [i, i + kLanes) to an eye or light.
+static inline Vectors towards(const float eye[4], const CrossingMemory& m, std::size_t i) {
+    const Vectors e = {Floats{} + eye[0], Floats{} + eye[1], Floats{} + eye[2]};
+    return e - load_vectors(m.position, i) * (Floats{} + eye[3]);
 }
+
+/// What the slope of a segment is, of whole lines less than 0 where ∇f·d > 0: with ∇f of the linear
+/// interpolant and the vectors d that a kind's test leaves in CrossingMemory::gradients,
+enum class SegmentSlope {
+    Scaled,     ///< ‖∇f‖ times slope_scale
+    Along,      ///< −∇f·d, a change in a squared length, times h_e, to the power 1.5
+    AlongOnce,  ///< −∇f·d, a change in a length to the power 3, times h_e^1.5
+};
 
 }  // namespace SIMD_SET
 }  // namespace laplacian_lines

@@ -142,52 +142,8 @@ static inline void taper(const LineRules& rules, std::size_t count, bool closed,
     }
 }
 
-/// Strips' points to columns, four at a time, so that up to three more than `count` are read and
-/// columns written.
-static void append_points(const StripPoint* points, std::uint32_t count, const LineColumns& c,
-                          std::size_t place) {
-    static_assert(sizeof(StripPoint) == 6 * sizeof(float), "a row of six numbers a point");
-    float* const columns[4] = {c.x, c.y, c.z, c.gradient};
-    const float* rows = points->position;
-    for (std::size_t i = place; i < place + count; i += 4, rows += 24) {
-        Float4 first[4], last[4];
-        for (unsigned k = 0; k < 4; ++k) {
-            __builtin_memcpy(&first[k], rows + 6 * k, sizeof(Float4));
-            __builtin_memcpy(&last[k], rows + 6 * k + 2, sizeof(Float4));
-        }
-        transpose(first);
-        transpose(last);
-        for (unsigned k = 0; k < 4; ++k)
-            store_row(first[k], columns[k] + i);
-        store_row(last[2], c.weight + i);
-        store_row(last[3], c.opacity + i);
-    }
-}
-
-/// Columns to rows of six numbers, as LinePoint is.
-static inline void columns_to_rows(const float* const columns[6], std::size_t count, float* rows) {
-    std::size_t i = 0;
-    for (; i + 4 <= count; i += 4, rows += 24) {
-        Float4 first[4], last[4];
-        for (unsigned k = 0; k < 4; ++k)
-            __builtin_memcpy(&first[k], columns[k] + i, sizeof(Float4));
-        __builtin_memcpy(&last[0], columns[4] + i, sizeof(Float4));
-        __builtin_memcpy(&last[1], columns[5] + i, sizeof(Float4));
-        last[2] = last[3] = Float4{};
-        transpose(first);
-        transpose(last);
-        for (unsigned k = 0; k < 4; ++k) {
-            store_row(first[k], rows + 6 * k);
-            __builtin_memcpy(rows + 6 * k + 4, &last[k], 2 * sizeof(float));
-        }
-    }
-    for (; i < count; ++i, rows += 6)
-        for (unsigned k = 0; k < 6; ++k)
-            rows[k] = columns[k][i];
-}
-
 typedef double FloatsAsDoubles __attribute__((vector_size(8 * kLanes)));
-/// Columns to points in mesh coordinates.
+/// Columns to points in mesh coordinates, as LinePoint's six floats.
 static inline void write_points(const LineColumns& c, std::size_t count, const double centre[3],
                                 double diagonal, float* points) {
     float* const positions[3] = {c.x, c.y, c.z};
@@ -197,7 +153,9 @@ static inline void write_points(const LineColumns& c, std::size_t count, const d
             store(positions[k] + i, __builtin_convertvector(centre[k] + diagonal * local, Floats));
         }
     const float* const columns[6] = {c.x, c.y, c.z, c.weight, c.gradient, c.opacity};
-    columns_to_rows(columns, count, points);
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t k = 0; k < 6; ++k)
+            points[6 * i + k] = columns[k][i];
 }
 
 static void finish_line(const LineRules& rules, const LineSums& line, LineColumns& c,

@@ -4,11 +4,13 @@
 
 #include <cstdint>
 
-#include "redraw/simd/simd_memory.h"
+#include "redraw/simd/redraw_loops.h"
 #include "system/simd_vectors.h"
 
 namespace laplacian_lines {
 namespace SIMD_SET {
+
+using Vectors = SpaceVectors<Floats>;
 
 /// Bit i: values[i] < bound, for kFormGroup values.
 static inline unsigned mask_below(const float* values, float bound) {
@@ -114,8 +116,8 @@ inline std::uint64_t CornerLookup::operator()(unsigned which) const {
 #endif
 
 /// Linear forms v·(e − w p) of all vertices.
-static inline void evaluate(const FormGroup* forms, unsigned groups, const float eye[4],
-                            float* values) {
+static inline void evaluate_forms(const FormGroup* forms, unsigned groups, const float eye[4],
+                                  float* values) {
     const float ex = eye[0], ey = eye[1], ez = eye[2], w = eye[3];
     for (unsigned g = 0; g < groups; ++g, ++forms, values += kFormGroup)
         for (unsigned i = 0; i < kFormGroup; i += kLanes)
@@ -153,9 +155,6 @@ struct ClusterInSlot {
     const CurvatureRecord* curvatures;  ///< the store's
     unsigned slot;
 };
-static inline const FormGroup* facing_of(const ClusterInSlot& place) {
-    return reinterpret_cast<const FormGroup*>(place.memory);
-}
 static inline ClusterTriangles triangles_of(const ClusterInSlot& place) {
     return {place.memory + place.layout.corners, place.memory + place.layout.neighbours};
 }

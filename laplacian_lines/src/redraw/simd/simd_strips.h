@@ -1,12 +1,176 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Chains the segments of a batch to strips.
+// Segments of lines in single triangles, their tests, and strips of those that are kept.
 #pragma once
 
 #include "redraw/simd/simd_kinds.h"
-#include "redraw/simd/simd_segments.h"
 
 namespace laplacian_lines {
 namespace SIMD_SET {
+
+/// Lists the crossings of a batch's active triangles. A triangle owns the crossing where its line
+/// leaves, which gets the triangle's place; the one where the line enters is that of the triangle
+/// before, or one of its own if that one is elsewhere. Returns the number of crossings; what is
+/// done with them writes to whole vectors of places.
+static inline unsigned list_crossings(const ActiveTriangles& active, CrossingMemory& m,
+                                      SegmentMemory& s) {
+    const auto list = [&](unsigned crossing, const std::uint16_t ends[2]) {
+        __builtin_memcpy(m.ends[crossing], ends, sizeof m.ends[0]);
+    };
+    for (unsigned i = 0; i < active.count; ++i)  // all that is asked for
+        s.in_triangle[active.triangles[i].previous] = SegmentMemory::kNone;
+    for (unsigned i = 0; i < active.count; ++i) {
+        s.in_triangle[active.triangles[i].own] = std::uint16_t(i);
+        list(i, active.triangles[i].exit);
+    }
+    unsigned crossings = active.count;
+    for (unsigned i = 0; i < active.count; ++i) {  // without branches, which would be guessed wrong
+        const unsigned previous = s.in_triangle[active.triangles[i].previous];
+        const bool own = previous == SegmentMemory::kNone;
+        list(crossings, active.triangles[i].entry);
+        s.begin[i] = std::uint16_t(own ? crossings : previous);
+        crossings += own;
+    }
+    __builtin_memset(m.ends[crossings], 0, kLanes * sizeof m.ends[0]);  // something valid
+    return crossings;
+}
+
+/// Leaves out segments with a refused crossing; returns how many are left.
+static inline unsigned keep_accepted(const CrossingMemory& m, SegmentMemory& s, unsigned count) {
+    unsigned kept = 0;
+    for (unsigned first = 0; first < count; first += 64) {
+        std::uint64_t ends = m.accepted[first / 64];
+        if (count - first < 64) ends &= ~(~std::uint64_t(0) << (count - first));
+        for (; ends; ends &= ends - 1) {
+            const unsigned i = first + unsigned(__builtin_ctzll(ends)), begin = s.begin[i];
+            s.triangle[kept] = std::uint16_t(i);
+            s.begin[kept] = std::uint16_t(begin);
+            kept += m.accepted[begin / 64] >> begin % 64 & 1;
+        }
+    }
+    for (unsigned i = kept; i < kept + kLanes; ++i)  // something valid
+        s.triangle[i] = s.begin[i] = 0;
+    return kept;
+}
+
+/// Keeps all segments; the counterpart of keep_accepted().
+static inline unsigned keep_all(SegmentMemory& s, unsigned count) {
+    for (unsigned i = 0; i < count; ++i)
+        s.triangle[i] = std::uint16_t(i);
+    for (unsigned i = count; i < count + kLanes; ++i)  // something valid
+        s.triangle[i] = s.begin[i] = 0;
+    return count;
+}
+
+/// Sums over segments [0, count), whose slopes are known; strength: Eq. 4.
+static inline void measure_segments(const LineRules& rules, const CrossingMemory& m,
+                                    SegmentMemory& s, std::size_t count) {
+    const auto mean = [&](std::size_t i) {
+        return (m.concave[s.begin[i]] + m.concave[s.triangle[i]]) / 2;
+    };
+    for (std::size_t i = 0; i < count; i += 4) {
+        Float4 rows[4];
+        for (unsigned k = 0; k < 4; ++k) {
+            const Float4 a = load4(m.points[s.begin[i + k]]),
+                         b = load4(m.points[s.triangle[i + k]]);
+            rows[k] = shuffle<0, 1, 2, 7>(b - a, a + b);
+        }
+        transpose(rows);
+        const Float4 x = rows[0], y = rows[1], z = rows[2], gradients = rows[3];
+        const Float4 length = square_root(x * x + y * y + z * z);
+        const Float4 slope = load4(s.slope + i);
+        rows[0] = length;
+        rows[1] = gradients / 2 * length;
+        rows[2] = slope * length;
+        rows[3] = rules.whole && rules.concave_only
+                      ? Float4{mean(i), mean(i + 1), mean(i + 2), mean(i + 3)} * length
+                      : Float4{0, 0, 0, 0};
+        transpose(rows);
+        for (unsigned k = 0; k < 4; ++k)
+            store4(s.sums[i + k], rows[k]);
+    }
+}
+
+/// Collects what test_segments() needs as columns.
+static inline void collect_corners(const Batch& batch, const ActiveTriangles& active,
+                                   const float* function, const CrossingMemory& m, SegmentMemory& s,
+                                   unsigned count) {
+    for (unsigned i = 0; i < count; i += 4) {
+        Float4 u[4], v[4], g[4];
+        for (unsigned k = 0; k < 4; ++k) {
+            const unsigned place = s.triangle[i + k];
+            const ActiveTriangle& t = active.triangles[place];
+            const RecordsOfSlot records = records_around(batch, t.third);
+            const Float4 a = load4(records[t.exit[0]]), b = load4(records[t.exit[1]]),
+                         c = load4(records[t.third]);
+            u[k] = b - a;
+            v[k] = c - a;
+            const Float4 gradients = load4(m.gradients[s.begin[i + k]]) + load4(m.gradients[place]);
+            const Float4 scales = a + b + c;
+            g[k] = shuffle<0, 1, 2, 7>(gradients, scales);
+            s.fu[i + k] = m.above[place] - m.below[place];
+            s.fv[i + k] = function[t.third] - m.below[place];
+        }
+        transpose(u);
+        transpose(v);
+        transpose(g);
+        store_columns(u, s.u[0] + i, s.u[1] + i, s.u[2] + i);
+        store_columns(v, s.v[0] + i, s.v[1] + i, s.v[2] + i);
+        store_columns(g, s.g[0] + i, s.g[1] + i, s.g[2] + i);
+        __builtin_memcpy(s.scale + i, &g[3], sizeof(Float4));
+    }
+}
+
+/// Slope of the function across the line, and whether the illumination's gradient is largest
+/// there (edge) or smallest (phantom). Refused segments get the slope −1.
+template <SegmentSlope Slope>
+static inline void test_segments(const LineRules& rules, SegmentMemory& s, std::size_t count) {
+    const float largest_product = rules.reject_phantoms ? 0 : FLT_MAX;
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        const Vectors u = load_vectors(s.u, i), v = load_vectors(s.v, i), n = cross(u, v);
+        // ∇f of the linear interpolant: (fu·(v × N) + fv·(N × u)) / |N|², N = u × v.
+        const Vectors f = cross(v, n) * load(s.fu + i) + cross(n, u) * load(s.fv + i);
+        const Floats squared = dot(n, n), product = dot(f, load_vectors(s.g, i));
+        if (Slope != SegmentSlope::Scaled) {
+            const Floats change = -product / (2 * squared);  // d summed over both ends
+            const Floats size = absolute(change);
+            const Floats powered = Slope == SegmentSlope::Along ? size * square_root(size) : size;
+            const Floats slope = powered * (load(s.scale + i) / 3);
+            const Floats most = at_most(slope, rules.segment_slope + rules.full_slope);
+            const Ints kept = (slope >= rules.segment_slope) & (change > 0);
+            if (rules.whole)  // nothing of a sliver's NaN
+                store(s.slope + i, change > 0 ? most : (change <= 0 ? -most : Floats{}));
+            else
+                store(s.slope + i, kept ? most : Floats{} - 1);
+            continue;
+        }
+        const Floats steepness = square_root(dot(f, f)) / squared;
+        const Floats slope = steepness * (load(s.scale + i) / 3);
+        if (rules.whole) {  // nothing of a sliver's NaN
+            store(s.slope + i, slope >= 0 ? (product <= 0 ? slope : -slope) : Floats{});
+            continue;
+        }
+        // Not so for a sliver's NaN, too.
+        const Ints kept = (slope >= rules.segment_slope) & (product <= largest_product);
+        store(s.slope + i, kept ? slope : Floats{} - 1);
+    }
+}
+
+/// Leaves out refused segments, of which whole lines have none; returns how many are left.
+static inline unsigned keep_steep(const LineRules& rules, SegmentMemory& s, unsigned count) {
+    if (rules.whole) return count;
+    unsigned kept = 0;
+    for (unsigned i = 0; i < count; ++i) {
+        s.triangle[kept] = s.triangle[i];
+        s.begin[kept] = s.begin[i];
+        s.slope[kept] = s.slope[i];
+        kept += s.slope[i] >= 0;
+    }
+    for (unsigned i = kept; i < kept + kLanes; ++i)  // something valid
+        s.triangle[i] = s.begin[i] = 0;
+    return kept;
+}
+
+// ---- strips ----
 
 /// Means along whole lines are known where strips end, so no strip is much longer than √h.
 constexpr unsigned kSegmentsOfPiece = 4;
@@ -57,15 +221,14 @@ private:
         return active_.triangles[segments_.triangle[segment]];
     }
 
-    /// The place in border_edges of the edge that a segment's neighbour is behind, if it leads out
-    /// of the cluster. For name_edges(), since what lies there has to be waited for.
+    /// The edge that a segment's neighbour is behind, if it leads out of the cluster.
     std::uint32_t edge_to_elsewhere(unsigned neighbour) const {
         const Cluster& cluster = *batch_.clusters[neighbour / kNumbersOfSlot];
         const unsigned number = neighbour % kNumbersOfSlot;
         const bool leads_out = number >= cluster.triangle_count && number != kNoNeighbour;
-        const std::uint32_t place = cluster.first_border_edge + number - cluster.triangle_count;
-        __builtin_prefetch(&border_edges_[leads_out ? place : 0]);
-        return leads_out ? place : Strip::kNoEdge;
+        return leads_out
+                   ? border_edges_[cluster.first_border_edge + number - cluster.triangle_count]
+                   : Strip::kNoEdge;
     }
 
     void write_point(unsigned crossing, float slope, StripPoint* point) {
@@ -135,31 +298,7 @@ private:
     StripOutput& output_;
 };
 
-/// Makes edges of places in border_edges, in strips from `begin` on.
-static inline void name_edges(const ClusterStore& store, std::uint32_t begin,
-                              const StripOutput& output) {
-    for (std::uint32_t i = begin; i < output.strip_count; ++i)
-        for (std::uint32_t& edge : output.strips[i].edges)
-            if (edge < Strip::kContinued) edge = store.border_edges[edge];
-}
-
-/// Makes the places after crossings [0, count) something valid.
-static inline void fill_up(CrossingMemory& m, std::size_t count) {
-    __builtin_memset(m.ends[count], 0, kLanes * sizeof m.ends[0]);
-}
-
-/// Computes crossings [0, count) of a kind from their ends. As the functions that it calls, it
-/// writes to whole vectors of places.
-template <class Kinds, class Kind>
-static inline void find_crossings(const ExtractionTask& task, const Batch& batch, unsigned kind,
-                                  CrossingMemory& m, std::size_t count) {
-    fill_up(m, count);
-    find_shares(Kind::values(batch, kind), m, count);
-    find_points(batch, Kind::source(task), m, count);
-    Kind::test(task.kinds[Kinds::kFirst + kind].rules, task, batch, m, count);
-}
-
-/// Appends the strips of a kind in a batch, their edges for name_edges().
+/// Appends the strips of a kind in a batch.
 template <class Kinds, class Kind>
 static inline void append_strips(const ClusterStore& store, const ExtractionTask& task,
                                  unsigned kind, SimdMemory& memory, StripOutput& output) {
@@ -169,12 +308,15 @@ static inline void append_strips(const ClusterStore& store, const ExtractionTask
     const LineRules& rules = task.kinds[Kinds::kFirst + kind].rules;
     CrossingMemory& m = memory.crossings;
     SegmentMemory& s = memory.segments;
-    find_crossings<Kinds, Kind>(task, batch, kind, m, list_crossings(active, m, s));
+    const unsigned crossings = list_crossings(active, m, s);
+    find_shares(values_of<Kind>(batch, kind), m, crossings);
+    find_points(batch, Kind::source(task), m, crossings);
+    Kind::test(rules, task, batch, m, crossings);
     unsigned count = active.count;
     if (rules.use_slope) {
         count = keep_accepted(m, s, count);
         if (count == 0) return;
-        collect_corners(batch, active, Kind::values(batch, kind), m, s, count);
+        collect_corners(batch, active, values_of<Kind>(batch, kind), m, s, count);
         test_segments<Kind::kSlope>(rules, s, count);
         count = keep_steep(rules, s, count);
     } else {

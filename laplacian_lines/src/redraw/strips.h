@@ -1,12 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <vector>
 
-#include "redraw/strip_finding.h"
+#include "clusters/extractor_data.h"
+#include "redraw/simd/redraw_loops.h"
 #include "system/chains.h"
 
 namespace laplacian_lines {
+
+/// What a thread finds, by kind.
+struct FindingThread {
+    std::unique_ptr<SimdMemory> memory;
+    std::vector<KeptCluster> kept;
+    std::vector<Strip> strips[kStripKindCount];  ///< longer than what is in use, see `output`
+    std::vector<StripPoint> points[kStripKindCount];
+    StripOutput output[kStripKindCount];
+};
+
+/// The strips of successive clusters, all found by one thread.
+struct ChunkOfStrips {
+    std::uint32_t thread;
+    std::uint32_t begin[kStripKindCount], end[kStripKindCount];
+};
+
+/// Strips in the order of the clusters: chunk after chunk. Keeps its memory.
+struct FoundStrips {
+    std::vector<FindingThread> threads;
+    std::vector<ChunkOfStrips> chunks;
+};
+
+/// Finds all strips of a view on several threads. What is found, and its order, does not depend on
+/// their number.
+void find_strips(const ExtractorData& data, const ExtractionTask& task, FoundStrips& found);
 
 /// A strip and what goes on at its ends, see chains.h.
 struct JoinedStrip {
@@ -26,9 +53,7 @@ struct OpenEnd {
 
 struct JoiningMemory {
     std::vector<JoinedStrip> strips[kStripKindCount];
-    /// The end that waits at an edge, plus first_end; what is less is of an earlier use.
-    std::vector<std::uint32_t> end_at_edge;
-    std::uint32_t first_end = 1, next_end = 1;  ///< of the last use, and of the next one
+    std::vector<std::uint32_t> end_at_edge;  ///< that waits there, or kNoEnd
     std::vector<OpenEnd> open_ends;
 };
 

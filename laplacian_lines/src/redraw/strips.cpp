@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "redraw/strips.h"
+
+#include <algorithm>
+
+#include "system/parallel.h"
+#include "system/simd_sets.h"
+
+namespace laplacian_lines {
+namespace {
+
+constexpr std::size_t kChunk = 4 * kFormGroup;  // clusters that a thread takes at a time
+
+/// Makes place for so many strips and points and those of a batch, with some to spare.
+void reserve(FindingThread& thread, unsigned kind, std::size_t strips, std::size_t points) {
+    const auto grow = [](auto& array, std::size_t used, std::size_t batch) {
+        if (array.size() < used + batch) array.resize(used + used / 2 + batch);
+        return array.data();
+    };
+    thread.output[kind].strips = grow(thread.strips[kind], strips, kStripsOfBatch);
+    thread.output[kind].points = grow(thread.points[kind], points, kPointsOfBatch);
+}
+
+bool is_wanted(const ExtractionTask& task, const StripPass& pass) {
+    return std::any_of(task.kinds + pass.first, task.kinds + pass.first + pass.count,
+                       [](const ExtractionTask::Wanted& kind) { return kind.lines; });
+}
+
+void find_chunk(const ClusterStore& store, std::size_t cluster_count, const ExtractionTask& task,
+                std::size_t index, FindingThread& thread, ChunkOfStrips& chunk) {
+    const std::size_t begin = index * kChunk, end = std::min(begin + kChunk, cluster_count);
+    for (unsigned kind = 0; kind < kStripKindCount; ++kind)
+        chunk.begin[kind] = thread.output[kind].strip_count;
+    for (unsigned pass = 0; pass < kStripPassCount; ++pass) {
+        const StripPass kinds = kStripPasses[pass];
+        if (!is_wanted(task, kinds)) continue;
+        const StripFunctions& functions = fastest<RedrawLoops>().passes[pass];
+        const std::size_t kept = functions.cull(store, task, begin, end, thread.kept.data());
+        for (std::size_t i = 0; i < kept; i += kBatch) {
+            for (unsigned kind = kinds.first; kind < kinds.first + kinds.count; ++kind)
+                reserve(thread, kind, thread.output[kind].strip_count,
+                        thread.output[kind].point_count);
+            functions.extract_strips(store, task, &thread.kept[i],
+                                     std::min<std::size_t>(kBatch, kept - i), *thread.memory,
+                                     thread.output + kinds.first);
+        }
+    }
+    for (unsigned kind = 0; kind < kStripKindCount; ++kind)
+        chunk.end[kind] = thread.output[kind].strip_count;
+}
+
+/// Any thread may find any part of the strips next time, or its first part; then none of them has
+/// to allocate, for kinds that share a pass with a wanted one either.
+void even_out(const ExtractionTask& task, FoundStrips& found) {
+    for (const StripPass& pass : kStripPasses)
+        for (unsigned kind = pass.first; kind < pass.first + pass.count; ++kind) {
+            if (!is_wanted(task, pass)) continue;
+            std::size_t strips = 0, points = 0;
+            for (const FindingThread& thread : found.threads) {
+                strips += thread.output[kind].strip_count;
+                points += thread.output[kind].point_count;
+            }
+            for (FindingThread& thread : found.threads)
+                reserve(thread, kind, strips, points);
+        }
+}
+
+constexpr std::uint32_t kStripsAhead = 8;
+
+/// Appends a strip and joins it to those that are there. `loop`: the end where the last closed line
+/// began.
+void append(const Strip& strip, const StripPoint* points, std::vector<JoinedStrip>& strips,
+            JoiningMemory& memory, std::uint32_t& loop) {
+    const auto join = [&](std::uint32_t a, std::uint32_t b) {
+        strips[a / 2].links[a % 2] = b;
+        strips[b / 2].links[b % 2] = a;
+    };
+    const std::uint32_t first_end = 2 * std::uint32_t(strips.size());
+    strips.push_back({points + strip.first_point, strip.point_count, strip.length, strip.strength,
+                      strip.slope, strip.concave});
+    for (std::uint32_t side : {0u, 1u}) {
+        const std::uint32_t edge = strip.edges[side], end = first_end + side;
+        if (edge == Strip::kNoEdge) continue;
+        if (edge == Strip::kClosed) {
+            if (side == 0) loop = end;
+            if (side == 1) join(loop, end);
+            continue;
+        }
+        if (edge == Strip::kContinued) {
+            strips.back().links[side] = side == 0 ? first_end - 1 : first_end + 2;
+            continue;
+        }
+        std::uint32_t& waiting = memory.end_at_edge[edge];
+        if (waiting == kNoEnd) {
+            waiting = end;
+            continue;
+        }
+        join(waiting, end);
+        waiting = kNoEnd;
+    }
+}
+
+/// Asks for what lies at the edges of later strips, which are anywhere.
+template <class Visit>
+void for_each_strip(const FoundStrips& found, unsigned kind,
+                    const std::vector<std::uint32_t>& end_at_edge, Visit visit) {
+    for (const ChunkOfStrips& chunk : found.chunks) {
+        const StripOutput& thread = found.threads[chunk.thread].output[kind];
+        for (std::uint32_t i = chunk.begin[kind]; i < chunk.end[kind]; ++i) {
+            const Strip& later = thread.strips[std::min(i + kStripsAhead, chunk.end[kind] - 1)];
+            for (const std::uint32_t edge : later.edges)
+                if (edge < Strip::kContinued) __builtin_prefetch(&end_at_edge[edge], 1);
+            visit(thread.strips[i], thread.points);
+        }
+    }
+}
+
+}  // namespace
+
+void find_strips(const ExtractorData& data, const ExtractionTask& task, FoundStrips& found) {
+    const ClusterStore store = data.store();
+    const std::size_t chunks = (data.clusters.size() + kChunk - 1) / kChunk;
+    const unsigned workers = workers_for(chunks);
+    if (found.threads.size() < workers) found.threads.resize(workers);
+    found.chunks.resize(chunks);
+    for (FindingThread& thread : found.threads) {
+        if (!thread.memory) thread.memory = std::make_unique<SimdMemory>();
+        thread.kept.resize(kChunk + 1);
+        for (StripOutput& output : thread.output)
+            output.strip_count = output.point_count = 0;
+    }
+    share(chunks, workers, [&](unsigned worker, Blocks& shared) {
+        for (std::size_t i; shared.take(i);) {
+            found.chunks[i].thread = worker;
+            find_chunk(store, data.clusters.size(), task, i, found.threads[worker],
+                       found.chunks[i]);
+        }
+    });
+    even_out(task, found);
+}
+
+void join_strips(const FoundStrips& found, unsigned kind, std::uint32_t border_edge_count,
+                 JoiningMemory& memory) {
+    std::size_t strips = 0;
+    for (const ChunkOfStrips& chunk : found.chunks)
+        strips += chunk.end[kind] - chunk.begin[kind];
+    memory.strips[kind].clear();
+    if (strips == 0) return;
+    memory.strips[kind].reserve(strips);
+    memory.end_at_edge.assign(border_edge_count, kNoEnd);
+    std::uint32_t loop = kNoEnd;
+    for_each_strip(found, kind, memory.end_at_edge,
+                   [&](const Strip& strip, const StripPoint* points) {
+                       append(strip, points, memory.strips[kind], memory, loop);
+                   });
+}
+
+void find_open_ends(const FoundStrips& found, unsigned kind, JoiningMemory& memory) {
+    memory.open_ends.clear();
+    std::uint32_t end = 0;
+    for_each_strip(found, kind, memory.end_at_edge, [&](const Strip& strip, const StripPoint*) {
+        const JoinedStrip& joined = memory.strips[kind][end / 2];
+        for (unsigned side : {0u, 1u})
+            if (joined.links[side] == kNoEnd && strip.edges[side] < Strip::kContinued)
+                memory.open_ends.push_back({strip.edges[side], end + side});
+        end += 2;
+    });
+}
+
+}  // namespace laplacian_lines
