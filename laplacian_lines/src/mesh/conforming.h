@@ -21,11 +21,14 @@ struct Precision {
 Precision precision_of(const std::vector<Eigen::Vector3d>& positions,
                        const std::vector<Triangle>& triangles, double diagonal);
 
+/// Whether each edge is passed equally often in both directions, by sums of 64-bit hashes.
+bool is_closed(const std::vector<Triangle>& triangles);
+
 /// Cuts triangles on borders where vertices of other borders lie on their sides, within the
 /// precision of the coordinates, if one of the parts is a side of another triangle: programs of
 /// solids leave such T-junctions, at which neighbours would not know each other. Neither adds nor
-/// moves vertices. Returns how many triangles were cut.
-std::size_t make_conforming(const std::vector<Eigen::Vector3d>& positions,
-                            std::vector<Triangle>& triangles);
+/// moves vertices. `place_of`: first_equal_positions().
+void make_conforming(const std::vector<Eigen::Vector3d>& positions,
+                     const std::vector<std::uint32_t>& place_of, std::vector<Triangle>& triangles);
 
 }  // namespace laplacian_lines

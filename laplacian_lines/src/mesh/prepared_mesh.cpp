@@ -9,6 +9,7 @@
 #include "laplacian_lines/error.h"
 #include "mesh/bounding_box.h"
 #include "mesh/conforming.h"
+#include "mesh/equal_positions.h"
 #include "mesh/needles.h"
 #include "mesh/orientation.h"
 #include "mesh/stitching.h"
@@ -68,23 +69,9 @@ void check_indices(const TriangleMesh& mesh) {
 
 std::vector<Triangle> usable_triangles(const Positions& positions,
                                        const std::vector<Triangle>& triangles) {
-    const std::size_t count = triangles.size();
-    std::vector<std::uint8_t> is_usable(count);
-    std::vector<std::size_t> kept(block_count(count) + 1, 0);
-    in_blocks(count, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t)
-            kept[begin / kBlockElements + 1] += is_usable[t] =
-                !is_degenerate(positions, triangles[t]);
+    return collect<Triangle>(triangles.size(), [&](std::uint32_t t, std::vector<Triangle>& usable) {
+        if (!is_degenerate(positions, triangles[t])) usable.push_back(triangles[t]);
     });
-    for (std::size_t b = 1; b < kept.size(); ++b)
-        kept[b] += kept[b - 1];
-    std::vector<Triangle> usable = large_array<Triangle>(kept.back());
-    in_blocks(count, [&](std::size_t begin, std::size_t end) {
-        std::size_t place = kept[begin / kBlockElements];
-        for (std::size_t t = begin; t < end; ++t)
-            if (is_usable[t]) usable[place++] = triangles[t];
-    });
-    return usable;
 }
 
 void expect_surface(const std::vector<Triangle>& usable) {
@@ -95,8 +82,9 @@ void expect_surface(const std::vector<Triangle>& usable) {
 }
 
 /// Has triangles use the vertices that count, whose triangles now are neighbours.
-void stitch(const TriangleMesh& mesh, PreparedMesh& prepared) {
-    prepared.representative = stitch_cuts(mesh.positions, prepared.triangles);
+void stitch(const TriangleMesh& mesh, const std::vector<std::uint32_t>& place_of,
+            PreparedMesh& prepared) {
+    prepared.representative = stitch_cuts(mesh.positions, place_of, prepared.triangles);
     const std::vector<std::uint32_t>& representative = prepared.representative;
     if (representative.empty()) return;
     for (std::uint32_t v = 0; v < representative.size(); ++v)
@@ -143,49 +131,24 @@ bool drop_lost_triangles(PreparedMesh& prepared) {
     return true;
 }
 
-struct VertexCounts {
-    std::size_t used = 0, non_finite = 0, unreferenced = 0;
-
-    void add(const VertexCounts& other) {
-        used += other.used, non_finite += other.non_finite, unreferenced += other.unreferenced;
-    }
-};
-
-/// For each block of vertices, given which are used, the counts before it; the totals come last.
-std::vector<VertexCounts> count_vertices(const Positions& positions,
-                                         const std::vector<std::uint32_t>& number) {
-    std::vector<VertexCounts> counts(block_count(positions.size()) + 1);
-    in_blocks(positions.size(), [&](std::size_t begin, std::size_t end) {
-        VertexCounts& of_block = counts[begin / kBlockElements + 1];
-        for (std::size_t v = begin; v < end; ++v)
-            ++(!positions[v].allFinite() ? of_block.non_finite
-               : number[v] == kUnused    ? of_block.unreferenced
-                                         : of_block.used);
-    });
-    for (std::size_t b = 1; b < counts.size(); ++b)
-        counts[b].add(counts[b - 1]);
-    return counts;
-}
-
 void keep_used_vertices(const TriangleMesh& mesh, PreparedMesh& prepared) {
     std::vector<std::uint32_t> number = large_array(mesh.positions.size(), kUnused);
     for_each_element(prepared.triangles.size(), [&](std::size_t t) {
         for (std::uint32_t v : prepared.triangles[t])
             __atomic_store_n(&number[v], 0, __ATOMIC_RELAXED);
     });
-    const std::vector<VertexCounts> counts = count_vertices(mesh.positions, number);
-    prepared.report.non_finite_vertices = counts.back().non_finite;
-    prepared.report.unreferenced_vertices = counts.back().unreferenced;
-    prepared.original_vertex = large_array<std::uint32_t>(counts.back().used);
-    in_blocks(number.size(), [&](std::size_t begin, std::size_t end) {
-        std::size_t next = counts[begin / kBlockElements].used;
-        for (std::size_t v = begin; v < end; ++v) {
-            if (number[v] == kUnused) continue;
-            number[v] = std::uint32_t(next);
-            prepared.original_vertex[next++] = std::uint32_t(v);
-        }
-    });
+    prepared.original_vertex =
+        collect<std::uint32_t>(number.size(), [&](std::uint32_t v, auto& used) {
+            if (number[v] != kUnused) used.push_back(v);
+        });
+    prepared.report.non_finite_vertices = std::size_t(sum_of(
+        number.size(), [&](std::size_t v) { return mesh.positions[v].allFinite() ? 0. : 1.; }));
+    prepared.report.unreferenced_vertices =
+        number.size() - prepared.original_vertex.size() - prepared.report.non_finite_vertices;
     if (prepared.original_vertex.size() == number.size()) return;
+    for_each_element(prepared.original_vertex.size(), [&](std::size_t i) {
+        number[prepared.original_vertex[i]] = std::uint32_t(i);
+    });
     for_each_element(prepared.triangles.size(), [&](std::size_t t) {
         for (std::uint32_t& v : prepared.triangles[t])
             v = number[v];
@@ -226,7 +189,8 @@ Eigen::Vector3d area_vector(const PreparedMesh& mesh, const Triangle& t) {
 std::vector<Triangle> conforming_triangles(const TriangleMesh& mesh) {
     check_indices(mesh);
     std::vector<Triangle> triangles = usable_triangles(mesh.positions, mesh.triangles);
-    if (!triangles.empty()) make_conforming(mesh.positions, triangles);
+    if (!is_closed(triangles))
+        make_conforming(mesh.positions, first_equal_positions(mesh.positions), triangles);
     return triangles;
 }
 
@@ -239,8 +203,11 @@ PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const Undoing
     prepared.triangles = usable_triangles(mesh.positions, mesh.triangles);
     expect_surface(prepared.triangles);
     prepared.report.degenerate_triangles = mesh.triangles.size() - prepared.triangles.size();
-    make_conforming(mesh.positions, prepared.triangles);
-    if (cuts == Cuts::Stitched) stitch(mesh, prepared);
+    if (!is_closed(prepared.triangles)) {
+        const std::vector<std::uint32_t> place_of = first_equal_positions(mesh.positions);
+        make_conforming(mesh.positions, place_of, prepared.triangles);
+        if (cuts == Cuts::Stitched) stitch(mesh, place_of, prepared);
+    }
     undo_subdivisions(mesh.positions, undoing, prepared);
     do {
         keep_used_vertices(mesh, prepared);

@@ -12,7 +12,7 @@ namespace laplacian_lines {
 void build_edges(SightMesh& mesh);
 
 /// Adds sides of triangles; `gone` are edges to remove, ascending.
-void change_edges(const std::vector<LooseSide>& sides, const std::vector<std::uint32_t>& gone,
+void change_edges(std::vector<LooseSide> sides, const std::vector<std::uint32_t>& gone,
                   SightMesh& mesh);
 
 }  // namespace laplacian_lines

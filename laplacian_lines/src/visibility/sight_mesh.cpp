@@ -141,14 +141,11 @@ void find_on_cuts(const SightMesh& mesh, SurfaceContacts& contacts) {
     const auto is_near = [&](std::uint32_t v) {
         return are_ends[v] || (v < contacts.near_cuts.size() && contacts.near_cuts[v]);
     };
-    const auto box_of = [&](std::uint32_t c) {
-        const std::uint32_t* const ends = contacts.cuts[c].vertices;
-        return box_around(mesh.positions[ends[0]], mesh.positions[ends[1]], mesh.precision);
-    };
-    const auto order = order_along_curve<3>(
-        contacts.cuts.size(), local_box(),
-        [&](std::uint32_t c) -> Eigen::Vector3f { return box_of(c).center(); });
-    const BoxTree<3> cuts(order, box_of);
+    const auto cuts =
+        BoxTree<3>::along_curve(contacts.cuts.size(), local_box(), [&](std::uint32_t c) {
+            const std::uint32_t* const ends = contacts.cuts[c].vertices;
+            return box_around(mesh.positions[ends[0]], mesh.positions[ends[1]], mesh.precision);
+        });
     const auto add_if_on = [&](std::uint32_t v, const std::uint32_t* ends,
                                std::vector<OnEdge>& found) {
         if (lies_between(mesh.positions, v, ends[0], ends[1], mesh.precision))

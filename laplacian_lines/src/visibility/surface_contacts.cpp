@@ -281,14 +281,6 @@ private:
 
 using Tree = BoxTree<3>;
 
-Eigen::AlignedBox3f box_of(const SightMesh& mesh, std::uint32_t triangle, double reach) {
-    Eigen::AlignedBox3f box;
-    for (const std::uint32_t v : mesh.triangles[triangle])
-        box.extend(mesh.positions[v].cast<float>().eval());
-    const Eigen::Vector3f room = Eigen::Vector3f::Constant(float(reach) + 1e-7f);
-    return {box.min() - room, box.max() + room};
-}
-
 template <class T>
 void append(const std::vector<T>& from, std::vector<T>& to) {
     to.insert(to.end(), from.begin(), from.end());
@@ -317,14 +309,14 @@ std::vector<std::uint8_t> corners_near_cuts(const Found& found, const Tree& tree
 
 Found find_pairs(SightMesh& mesh, const StageProgress& stage) {
     const PairJudge judge(mesh);
-    const auto box = [&, reach = judge.reach() / 2](std::uint32_t t) {
-        return box_of(mesh, t, reach);
-    };
-    mesh.along_curve =
-        order_along_curve<3>(mesh.triangles.size(), local_box(),
-                             [&](std::uint32_t t) -> Eigen::Vector3f { return box(t).center(); });
-    const std::vector<std::uint32_t>& order = mesh.along_curve;
-    const Tree tree(order, box);
+    const auto tree = Tree::along_curve(mesh.triangles.size(), local_box(),
+                                        [&, reach = judge.reach() / 2](std::uint32_t t) {
+                                            Eigen::AlignedBox3d box;
+                                            for (const std::uint32_t v : mesh.triangles[t])
+                                                box.extend(mesh.positions[v]);
+                                            return box_around(box, reach);
+                                        });
+    const std::vector<std::uint32_t>& order = mesh.along_curve = tree.order();
     const std::vector<Tree::Pair> pairs = tree.pairs();
     stage.report(0.3);
     std::vector<Found> found(pairs.size());

@@ -10,9 +10,6 @@
 
 namespace laplacian_lines {
 
-/// A box around a straight line, with room of `reach` and for the rounding of floats.
-Eigen::AlignedBox3f box_around(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double reach);
-
 /// Those that edges have, by vertex.
 std::vector<bool> vertices_of_edges(const SightMesh& mesh);
 
@@ -21,8 +18,6 @@ class VertexPlaces {
 public:
     /// Holds the vertices that are `wanted`.
     VertexPlaces(const SightMesh& mesh, const std::vector<bool>& wanted);
-    VertexPlaces(const VertexPlaces&) = delete;
-    VertexPlaces& operator=(const VertexPlaces&) = delete;
 
     /// Calls visit(vertex) for all vertices within `reach` of a straight line, some of them more
     /// than once.
@@ -42,8 +37,7 @@ public:
 
 private:
     double step_;
-    std::vector<std::uint32_t> vertices_;  // along a curve
-    BoxTree<3> tree_;                      // of these
+    BoxTree<3> tree_;
 };
 
 }  // namespace laplacian_lines
