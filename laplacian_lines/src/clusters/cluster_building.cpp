@@ -11,6 +11,7 @@
 #include "clusters/bounded.h"
 #include "clusters/coarseness.h"
 #include "clusters/linear_forms.h"
+#include "mesh/flat_faces.h"
 #include "rules/convexity.h"
 #include "system/parallel.h"
 
@@ -71,8 +72,9 @@ ClusterBuilder::ClusterBuilder(const PreparedMesh& mesh, const Field& field, Ext
 
 void ClusterBuilder::build(const StageProgress& stage) {
     stage.report(0);
-    coarse_ = find_coarse_triangles(mesh_, field_);
     const CornerTable sides(mesh_.triangles, mesh_.size());
+    data_.flat_share = flat_share(mesh_, sides);
+    coarse_ = find_coarse_triangles(mesh_, data_.flat_share > kMadeShare, field_);
     partition_ = partition(mesh_, sides, coarse_);
     stage.report(kPartitioned);
     links_ = link_clusters(mesh_, sides, coarse_, partition_);

@@ -37,6 +37,7 @@ struct ExtractorData {
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< of line sets
     double diagonal = 1;                               ///< D, mesh units
     LaplacianForms laplacians;                         ///< of the field that it was built of
+    double flat_share = 0;                             ///< of the area, see flat_faces.h
     bool is_rough = false;  ///< edges of the mesh are those of noise or voxels, not of the form
     bool is_sheet = false;  ///< its borders are so long that it is seen from both sides
 
@@ -48,6 +49,14 @@ struct ExtractorData {
     ClusterStore store() const { return store(laplacians); }
     ClusterStore store(const LaplacianForms& forms) const;  ///< with these instead of its own
     std::size_t memory() const;                             ///< bytes
+
+    /// A local position as line sets have it, and back.
+    Eigen::Vector3f in_line_set(const Eigen::Vector3f& local) const {
+        return (centre - origin + diagonal * local.cast<double>()).cast<float>();
+    }
+    Eigen::Vector3f local_of(const Eigen::Vector3f& in_line_set) const {
+        return ((origin - centre + in_line_set.cast<double>()) / diagonal).cast<float>();
+    }
 };
 
 inline Eigen::Vector3f position_of(const VertexRecord& record) {

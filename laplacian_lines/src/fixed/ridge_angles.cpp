@@ -102,14 +102,14 @@ public:
     LineAngles(std::uint32_t count, const Form* forms, LineMemory& memory)
         : count_(count), forms_(forms), memory_(memory) {}
 
-    void measure(const SectionProbe& probe) {
+    void measure(const TriangleGraph& graph, float sign) {
         measure_ways();
         choose_samples();
         const std::size_t n = memory_.samples.size();
         if (memory_.profiles.size() < n) memory_.profiles.resize(n);
         memory_.turns.resize(n);
         for (std::size_t s = 0; s < n; ++s) {
-            probe.measure(section(memory_.samples[s]), kReach, memory_.profiles[s]);
+            memory_.profiles[s].measure(graph, section(memory_.samples[s]), sign, kReach);
             memory_.turns[s] = Turns(memory_.profiles[s]);
         }
         memory_.angles.resize(n);
@@ -155,7 +155,7 @@ private:
     }
 
     /// Across the line, to its left; the mean of the directions nearby, which noise moves less.
-    SectionProbe::Section section(std::uint32_t i) const {
+    Section section(std::uint32_t i) const {
         const Form& here = forms_[i];
         const std::vector<float>& ways = memory_.ways;
         std::uint32_t first = i, last = i;
@@ -199,12 +199,11 @@ private:
 
 void measure_ridge_angles(const ExtractorData& data, Crest crest, RidgeCandidates& candidates) {
     const TriangleGraph graph = build_triangle_graph(data);
-    const SectionProbe probe(graph, crest.sign);
     LineSet& lines = candidates.lines;
     in_parallel<LineMemory>(lines.lines.size(), [&](std::size_t number, LineMemory& memory) {
         const Polyline& line = lines.lines[number];
         LineAngles angles(line.count, candidates.forms.data() + line.first, memory);
-        angles.measure(probe);
+        angles.measure(graph, crest.sign);
         angles.write(float(data.diagonal), lines.points.data() + line.first);
     });
 }

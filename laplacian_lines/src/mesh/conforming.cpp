@@ -9,7 +9,8 @@
 
 #include "mesh/bounding_box.h"
 #include "mesh/box_tree.h"
-#include "mesh/corner_table.h"
+#include "mesh/sides_by_edge.h"
+#include "system/disjoint_sets.h"
 #include "system/equal_elements.h"
 
 namespace laplacian_lines {
@@ -22,12 +23,26 @@ constexpr double kPrecision = 0x1p-22;
 // Of the diagonal. With coarser coordinates there is no form left, and all would be at one place.
 constexpr double kWorstPrecision = 1e-3;
 
-/// Edges that only one triangle has.
-std::vector<Edge> find_borders(const std::vector<Triangle>& triangles, std::size_t vertices) {
-    const CornerTable table(triangles, vertices);
-    std::vector<Edge> borders;
-    for (std::uint32_t side = 0; side < table.side_count(); ++side)
-        if (table.across(side) == CornerTable::kBorder) borders.push_back(edge_of(triangles, side));
+struct Side {
+    std::uint32_t from, to;
+    std::uint32_t third;  // corner of the triangle
+};
+
+/// Sides on which no other triangle lies, by edge.
+std::vector<Side> find_borders(const std::vector<Triangle>& triangles, std::size_t vertices) {
+    using Sides = std::vector<Side>;
+    const auto add = [&](const std::uint32_t* begin, const std::uint32_t* end, Sides& found) {
+        if (end - begin > 1) return;
+        const Triangle& t = triangles[*begin / 3];
+        const unsigned k = *begin % 3;
+        found.push_back({t[k], t[(k + 1) % 3], t[(k + 2) % 3]});
+    };
+    const auto parts = visit_edges<Sides>(
+        3 * triangles.size(), vertices,
+        [&](std::uint32_t side) { return edge_of(triangles, side); }, add);
+    Sides borders;
+    for (const Sides& part : parts)
+        borders.insert(borders.end(), part.begin(), part.end());
     return borders;
 }
 
@@ -127,6 +142,18 @@ void cut_triangle(const Triangle& t, unsigned sides, const Places& places, const
     parts.push_back(t);
 }
 
+/// Of triangles with the same direction along one edge: whether they are sheets that lie on each
+/// other rather than neighbours that face opposite ways.
+bool are_on_each_other(const Side& a, const Side& b, const std::vector<Vector3d>& positions) {
+    constexpr double kLeastCosine = 0.999;
+    const Vector3d along = positions[a.to] - positions[a.from];
+    const auto across = [&](const Side& side) {
+        const Vector3d to = positions[side.third] - positions[side.from];
+        return (to - to.dot(along) / along.squaredNorm() * along).stableNormalized();
+    };
+    return across(a).dot(across(b)) > kLeastCosine;
+}
+
 }  // namespace
 
 bool lies_between(const std::vector<Vector3d>& positions, std::uint32_t vertex, std::uint32_t from,
@@ -179,7 +206,9 @@ void make_conforming(const std::vector<Vector3d>& positions,
             v = place_of[v];
     });
     if (is_closed(at_places)) return;
-    const std::vector<Edge> borders = find_borders(at_places, positions.size());
+    std::vector<Edge> borders;
+    for (const Side& side : find_borders(at_places, positions.size()))
+        borders.push_back(edge_between(side.from, side.to));
     const Eigen::AlignedBox3d box = bounding_box(positions, triangles);
     Cuts cuts = find_cuts(positions, borders, box,
                           precision_of(positions, triangles, box.diagonal().norm()).of_coordinates);
@@ -190,6 +219,32 @@ void make_conforming(const std::vector<Vector3d>& positions,
     for (const Triangle& t : triangles)
         cut_triangle(t, 7, places, cuts, result);
     triangles = std::move(result);
+}
+
+std::vector<std::uint32_t> stitch_cuts(const std::vector<Vector3d>& positions,
+                                       const std::vector<std::uint32_t>& place_of,
+                                       const std::vector<Triangle>& triangles) {
+    const std::vector<Side> borders = find_borders(triangles, positions.size());
+    const auto places_of = [&](std::uint32_t i) {
+        return edge_between(place_of[borders[i].from], place_of[borders[i].to]);
+    };
+    using Pairs = std::vector<std::pair<Side, Side>>;
+    const auto add = [&](const std::uint32_t* begin, const std::uint32_t* end, Pairs& found) {
+        if (end - begin == 2) found.emplace_back(borders[begin[0]], borders[begin[1]]);
+    };
+    DisjointSets sets(positions.size());
+    bool any = false;
+    for (const Pairs& part : visit_edges<Pairs>(borders.size(), positions.size(), places_of, add))
+        for (auto [a, b] : part) {
+            if (place_of[a.from] == place_of[b.to])
+                std::swap(b.from, b.to);
+            else if (are_on_each_other(a, b, positions))
+                continue;
+            sets.unite(a.from, b.from);
+            sets.unite(a.to, b.to);
+            any = true;
+        }
+    return any ? sets.take_roots() : std::vector<std::uint32_t>();
 }
 
 }  // namespace laplacian_lines

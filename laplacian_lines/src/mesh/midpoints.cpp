@@ -7,7 +7,6 @@
 
 #include "mesh/bounding_box.h"
 #include "mesh/triangles_at.h"
-#include "system/parallel.h"
 
 namespace laplacian_lines {
 namespace {
@@ -55,21 +54,6 @@ bool is_midpoint(std::uint32_t vertex, const std::vector<Triangle>& triangles,
         for (const std::uint32_t b : ring)
             if (a < b && a != vertex && b != vertex && is_middle(vertex, a, b)) return true;
     return false;
-}
-
-/// Whether a triangle is a quarter for all that its neighbours tell: two of its corners are
-/// midpoints, or all three.
-bool may_be_quarter(const Triangle& t, const std::vector<Triangle>& triangles,
-                    const MidpointTest& is_middle) {
-    const auto around = collect<std::uint32_t>(triangles.size(), [&](std::uint32_t i, auto& found) {
-        const Triangle& other = triangles[i];
-        if (has(other, t[0]) || has(other, t[1]) || has(other, t[2])) found.push_back(i);
-    });
-    std::vector<Triangle> near;
-    for (const std::uint32_t i : around)
-        near.push_back(triangles[i]);
-    return std::count_if(t.begin(), t.end(),
-                         [&](std::uint32_t v) { return is_midpoint(v, near, is_middle); }) >= 2;
 }
 
 /// Puts quarters together, from one corner of a large triangle to the next.
@@ -220,8 +204,6 @@ bool undo_subdivision(const Positions& positions, std::vector<Triangle>& triangl
                       std::vector<Midpoint>& midpoints) {
     if (triangles.empty() || triangles.size() % 4 != 0) return false;
     const MidpointTest is_middle(positions, kRounding * largest_coordinate(positions, triangles));
-    for (const std::size_t some : {std::size_t(0), triangles.size() / 2})
-        if (!may_be_quarter(triangles[some], triangles, is_middle)) return false;
     QuarterJoiner joiner(positions, triangles, is_middle);
     if (!joiner.run()) return false;
     triangles = joiner.take_triangles();

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <string>
 
@@ -10,9 +11,9 @@
 #include "mesh/bounding_box.h"
 #include "mesh/conforming.h"
 #include "mesh/equal_positions.h"
+#include "mesh/flat_faces.h"
 #include "mesh/needles.h"
 #include "mesh/orientation.h"
-#include "mesh/stitching.h"
 #include "system/large_array.h"
 #include "system/parallel.h"
 
@@ -24,6 +25,12 @@ constexpr std::uint32_t kUnused = 0xffffffffu;
 constexpr double kLeastSine = 1e-12;
 // Diagonals for which D² and 1/D², floats in the field, stay far from overflow and underflow.
 constexpr double kLeastDiagonal = 1e-15, kLargestDiagonal = 1e15;
+
+// Of the mean edge: coarser coordinates bend smooth surfaces by some degrees at every edge.
+constexpr double kCoarseStep = 0.1;
+constexpr std::size_t kFewTriangles = 1000;  // which are a form by themselves, on whatever grid
+// Steps; where no triangle is larger, voxels or hexahedra are the form.
+constexpr double kCell = 2.5;
 
 // Squares of lengths in this range can be squared again.
 constexpr double kLeastPlain = 1e-60, kLargestPlain = 1e60;
@@ -179,6 +186,49 @@ void to_local_coordinates(const TriangleMesh& mesh, PreparedMesh& prepared) {
     });
 }
 
+/// Of which all coordinates are multiples, as seen from those of one vertex, by Euclid's algorithm;
+/// 0 if it is less than `least`.
+double coordinate_step(const TriangleMesh& mesh, const PreparedMesh& prepared, double least) {
+    constexpr double kOff = 0.01;  // of a step, besides what rounding to floats adds up to
+    const Eigen::Vector3d& from = mesh.positions[prepared.original_vertex[0]];
+    const double rounding =
+        0x1p-23 * (prepared.centre.cwiseAbs().maxCoeff() + prepared.diagonal / 2);
+    double step = 0, most_times = 0;
+    for (const std::uint32_t v : prepared.original_vertex)
+        for (double rest : Eigen::Vector3d((mesh.positions[v] - from).cwiseAbs())) {
+            while (rest > rounding && step > 0) {
+                const double times = std::round(rest / step), off = std::abs(rest - times * step);
+                if (off <= kOff * step + times * rounding) {
+                    if (times > most_times) step = rest / times, most_times = times;
+                    break;
+                }
+                rest = step;
+                step = off;
+                most_times = 1;
+            }
+            if (step == 0 && rest > rounding) step = rest;
+            if (step > 0 && step < least) return 0;
+        }
+    return step;
+}
+
+/// MeshReport::coordinate_step.
+double coarse_step(const TriangleMesh& mesh, const PreparedMesh& prepared) {
+    if (prepared.triangles.size() < kFewTriangles) return 0;
+    const double edge = prepared.mean_edge * prepared.diagonal;
+    const double step = coordinate_step(mesh, prepared, kCoarseStep * edge);
+    if (step == 0) return 0;
+    const auto is_in_cell = [&](const Triangle& t) {
+        const Eigen::Vector3d &a = prepared.positions[t[0]], &b = prepared.positions[t[1]],
+                              &c = prepared.positions[t[2]];
+        const Eigen::Vector3d extent = a.cwiseMax(b).cwiseMax(c) - a.cwiseMin(b).cwiseMin(c);
+        return extent.maxCoeff() * prepared.diagonal < kCell * step;
+    };
+    const std::vector<Triangle>& triangles = prepared.triangles;
+    const bool is_grid = std::all_of(triangles.begin(), triangles.end(), is_in_cell);
+    return is_grid || is_made(prepared, CornerTable(triangles, prepared.size())) ? 0 : step;
+}
+
 }  // namespace
 
 Eigen::Vector3d area_vector(const PreparedMesh& mesh, const Triangle& t) {
@@ -224,6 +274,7 @@ PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, const Undoing& un
                           Facing facing) {
     PreparedMesh prepared = prepare_geometry(mesh, cuts, undoing, facing);
     prepared.mean_edge = mean_edge(prepared.positions, prepared.triangles);
+    prepared.report.coordinate_step = coarse_step(mesh, prepared);
     return prepared;
 }
 

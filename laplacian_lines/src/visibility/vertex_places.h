@@ -10,14 +10,19 @@
 
 namespace laplacian_lines {
 
-/// Those that edges have, by vertex.
-std::vector<bool> vertices_of_edges(const SightMesh& mesh);
-
 /// Vertices of a mesh by place.
 class VertexPlaces {
 public:
     /// Holds the vertices that are `wanted`.
-    VertexPlaces(const SightMesh& mesh, const std::vector<bool>& wanted);
+    VertexPlaces(const SightMesh& mesh, const std::vector<bool>& wanted)
+        : step_(1 / std::sqrt(double(mesh.positions.size()))) {
+        std::vector<std::uint32_t> vertices;
+        for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
+            if (wanted[v]) vertices.push_back(v);
+        tree_ = BoxTree<3>::along_curve(std::move(vertices), local_box(), [&](std::uint32_t v) {
+            return Eigen::AlignedBox3f(mesh.positions[v].cast<float>().eval());
+        });
+    }
 
     /// Calls visit(vertex) for all vertices within `reach` of a straight line, some of them more
     /// than once.
