@@ -194,6 +194,7 @@ TEST(MeshFaults, OfCoordinatesOfFewDigits) {
     const MeshReport report = precompute(rounded_to(0.12 * edge, far)).report;
     EXPECT_NEAR(report.coordinate_step, 0.12 * edge, 1e-6);
     EXPECT_EQ(faults_of(report), Faults{MeshFault::Quantized});
+    EXPECT_EQ(faults_found(rounded_to(0.4 * edge, far)), Faults{MeshFault::Quantized});
     TriangleMesh floats = rounded_to(0.12 * edge, far);
     for (Eigen::Vector3d& p : floats.positions)
         for (double& x : p)

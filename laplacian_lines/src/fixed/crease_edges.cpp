@@ -159,9 +159,11 @@ private:
         if (!is_made_ && !is_edge_of_form(graph_, edge)) return Verdict::Noise;
         if (edge.angle >= kEdgeAngle) return Verdict::Certain;
         if (is_mere_diagonal(graph_, edge.side)) return Verdict::Facet;
-        const float jump = crease_jump(graph_, edge.side, signed_angle(graph_, edge.side));
-        if (jump <= std::max(kLeastCreaseAngle, kWeak * edge.angle)) return Verdict::Facet;
-        return jump > kStrong * edge.angle ? Verdict::Strong : Verdict::Weak;
+        const CreaseJump jump = crease_jump(graph_, edge.side, signed_angle(graph_, edge.side));
+        if (jump.degrees <= std::max(kLeastCreaseAngle, kWeak * edge.angle)) return Verdict::Facet;
+        const bool is_strong = jump.degrees > kStrong * edge.angle;
+        if (!jump.is_clear) return is_strong ? Verdict::Unclear : Verdict::Facet;
+        return is_strong ? Verdict::Strong : Verdict::Weak;
     }
 
     const float flat_ = std::cos(kFlat / kDegrees);

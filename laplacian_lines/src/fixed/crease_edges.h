@@ -13,9 +13,10 @@ namespace laplacian_lines {
 
 /// An edge of the mesh that may be drawn as part of a crease. Local coordinates.
 struct CreaseEdge {
-    /// Noise: never shown. Facet: shown only by styles with an angle as small. Weak and strong:
-    /// turns more than explained, or at least twice as much. Certain: whatever is around.
-    enum class Verdict : std::uint8_t { Noise, Facet, Weak, Strong, Certain };
+    /// Noise: never shown. Facet: shown only by styles with an angle as small. Unclear: turns much
+    /// more than explained, but a side that is neither flat nor even cannot tell. Weak and strong:
+    /// turns more, or at least twice as much. Certain: whatever is around.
+    enum class Verdict : std::uint8_t { Noise, Facet, Unclear, Weak, Strong, Certain };
 
     TriangleSide side;
     std::uint32_t vertices[2];
@@ -33,6 +34,7 @@ struct CreaseEdge {
     float length() const { return length_of(positions[1] - positions[0]); }
     bool is_certain() const { return verdict == Verdict::Certain; }
     bool is_strong() const { return verdict == Verdict::Strong; }
+    bool is_unclear() const { return verdict == Verdict::Unclear; }
 };
 
 /// All edges that a style with this crease angle, in degrees, or a larger one may draw. The number
@@ -55,20 +57,25 @@ bool is_edge_of_form(const TriangleGraph& graph, const CreaseEdge& edge);
 /// of larger flat faces.
 bool is_mere_diagonal(const TriangleGraph& graph, const TriangleSide& side);
 
-/// What an edge turns beyond what the surface on both sides explains, degrees. 0 or less: all is,
-/// or a side is neither flat at first nor curves evenly, so that it cannot tell: twisted ones do
-/// not.
-///
+/// What an edge turns beyond what the surface on both sides explains.
+struct CreaseJump {
+    float degrees;  ///< 0 or less: all is explained
+    /// Whether both sides are flat at first or curve evenly, so that they can tell. Twisted ones do
+    /// not.
+    bool is_clear;
+};
+
 /// A curved face is cut into facets that turn again and again: by a curvature, the angle at an edge
 /// over the distance between the centres of its facets. On either side of the edge, the curvature
 /// of the edges beyond tells by how much a curved face turns from the middle of its first facet to
 /// the edge. Both together are explained. Faces are followed straight across the edge, narrow ones
 /// along the edges of the form beside them. The angle is that of signed_angle(), less than
 /// kEdgeAngle.
-float crease_jump(const TriangleGraph& graph, const TriangleSide& side, float angle);
+CreaseJump crease_jump(const TriangleGraph& graph, const TriangleSide& side, float angle);
 
 /// Makes facets of those that no others support. Kept are all that are certain, and others in
-/// chains from one such edge to another or around, of which at least half is strong. Of a mesh that
+/// chains from one such edge to another or around, of which at least half is strong; unclear ones
+/// only singly, between others of a chain. Of a mesh that
 /// was made also those from one such edge on as far as their angles fall: a crease that runs out,
 /// as mitres of fillets do; on a scan, noise beside a bad place falls as well.
 void drop_unsupported(std::vector<CreaseEdge>& edges, bool is_made);

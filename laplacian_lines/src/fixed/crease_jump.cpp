@@ -53,6 +53,7 @@ struct Facet {
     float centre, end;  // along the path
     float turn;         // at its end, degrees, positive as the edge in question
     bool is_flat;       // of several triangles, on the path or beside it
+    bool bends_back;    // one triangle, which does, beyond its third side
 };
 
 /// The facets on one side, up to an edge of the form, a border, or where the surface bends back.
@@ -72,12 +73,12 @@ public:
         if (is_over_) return false;
         float area = 0, moment = 0;
         const float begin = walk_.begin();
-        facet = {0, 0, 0, false};
+        facet = {0, 0, 0, false, false};
         for (;;) {
             area += walk_.area();
             moment += walk_.area() * walk_.centre();
             facet.is_flat = facet.is_flat || walk_.has_side_within(least_);
-            ++count_;
+            facet.bends_back = count_++ == 0 && has_side_bent_back();
             if (ends_facet(facet)) break;
             walk_.go_on();
         }
@@ -91,6 +92,11 @@ public:
     }
 
 private:
+    bool has_side_bent_back() const {
+        const float least = kTelling / kWithinFacet * least_.degrees;
+        return sign_ > 0 ? walk_.has_side_between(-kEdgeAngle, -least)
+                         : walk_.has_side_between(least, kEdgeAngle);
+    }
     bool ends_facet(Facet& facet) {
         if (walk_.goes_on_within(least_)) return is_over_ = count_ == kMostTriangles;
         const float turn = walk_.is_at_border() ? 0 : sign_ * walk_.turn();
@@ -123,7 +129,7 @@ public:
         Facet facet;
         if (!walk_.next(facet)) return;
         half_ = facet.centre;
-        is_flat_ = facet.is_flat || walk_.end() == FacetWalk::End::Edge;
+        is_flat_ = facet.is_flat || (walk_.end() == FacetWalk::End::Edge && !facet.bends_back);
         float turn = 0;
         if (!go_on(facet, turn)) return;
         curvature_ = turn / least_distance(facet.centre - half_);
@@ -197,7 +203,7 @@ float explained(const FacetSide& a, const FacetSide& b) {
 
 }  // namespace
 
-float crease_jump(const TriangleGraph& graph, const TriangleSide& side, float angle) {
+CreaseJump crease_jump(const TriangleGraph& graph, const TriangleSide& side, float angle) {
     const float sign = graph.triangles[side.triangle].sign_across(side.k);
     const bool of_three = may_be_of_three(graph, side, angle);
     const float lean = lean_of_walls(graph, side), turn = angle * std::sqrt(1 - lean * lean);
@@ -206,8 +212,8 @@ float crease_jump(const TriangleGraph& graph, const TriangleSide& side, float an
         graph.position(beyond.triangle, beyond.k) == graph.position(side.triangle, side.k);
     const FacetSide here(graph, side, lean, turn, of_three),
         there(graph, beyond, is_same_way ? -lean : lean, sign * turn, of_three);
-    if (!here.is_clear() || !there.is_clear()) return 0;
-    return std::abs(angle) * (1 - explained(here, there) / std::abs(turn));
+    return {std::abs(angle) * (1 - explained(here, there) / std::abs(turn)),
+            here.is_clear() && there.is_clear()};
 }
 
 }  // namespace laplacian_lines

@@ -33,6 +33,7 @@ public:
     }
 
     std::vector<std::uint8_t> run(bool is_made) {
+        drop_unclear();
         if (is_made) find_running_out();
         drop_loose();
         drop_doubtful();
@@ -57,6 +58,23 @@ private:
             const int begin = other.vertices[0] == edge.vertices[end] ? 0 : 1;
             visit(o, dot(direction, unit(other.positions[1 - begin] - here)));
         }
+    }
+
+    /// All but gaps of one edge in chains that are clear.
+    void drop_unclear() {
+        for_each_element(edges_.size(), [&](std::size_t e) {
+            const auto i = std::uint32_t(e);
+            if (!edges_[i]->is_unclear()) return;
+            bool closes_gap = true;
+            for (int end = 0; end < 2; ++end) {
+                bool goes_on = false;
+                for_each_at(i, end, [&](std::uint32_t o, float cosine) {
+                    goes_on = goes_on || (!edges_[o]->is_unclear() && cosine >= kGoesOn);
+                });
+                closes_gap = closes_gap && goes_on;
+            }
+            kept_[i] = closes_gap;
+        });
     }
 
     /// From certain edges on those of ever smaller angles, each the only strong one that goes on

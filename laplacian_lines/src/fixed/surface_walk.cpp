@@ -114,15 +114,27 @@ SurfaceWalk::SurfaceWalk(const TriangleGraph& graph, const TriangleSide& from, f
     cross();
 }
 
-bool SurfaceWalk::has_side_within(const SmallAngle& angle) const {
+template <class Is>
+bool SurfaceWalk::has_side(const Is& is) const {
     const TriangleGraph::Node& node = graph_.triangles[at_.triangle];
     for (unsigned k = 0; k < 3; ++k) {
         const std::uint32_t next = node.neighbours[k];
-        if (k != at_.k && next != TriangleGraph::kNone &&
-            !graph_.triangles[next].normal.isZero(0) && is_within(graph_, {at_.triangle, k}, angle))
+        if (k == at_.k || next == TriangleGraph::kNone) continue;
+        if (!graph_.triangles[next].normal.isZero(0) && is(TriangleSide{at_.triangle, k}))
             return true;
     }
     return false;
+}
+
+bool SurfaceWalk::has_side_between(float least, float most) const {
+    return has_side([&](const TriangleSide& side) {
+        const float angle = sign_ * signed_angle(graph_, side);
+        return angle > least && angle < most;
+    });
+}
+
+bool SurfaceWalk::has_side_within(const SmallAngle& angle) const {
+    return has_side([&](const TriangleSide& side) { return is_within(graph_, side, angle); });
 }
 
 bool SurfaceWalk::goes_on_within(const SmallAngle& angle) const {

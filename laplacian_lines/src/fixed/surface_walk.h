@@ -47,7 +47,9 @@ public:
     float begin() const { return begin_; }
     float end() const { return end_; }
     float area() const { return graph_.triangles[at_.triangle].area; }
-    /// Whether the surface goes on beyond another side than the one it came in by, bent by less.
+    /// Whether the surface goes on beyond another side than the one it came in by, bent by an
+    /// angle() between these.
+    bool has_side_between(float least, float most) const;
     bool has_side_within(const SmallAngle& angle) const;
     /// By how much the edge there is bent, degrees, positive where the surface is convex as the
     /// first triangle sees it; and how much of it the path turns, as it may cross at a slant.
@@ -62,6 +64,9 @@ public:
     void go_on();
 
 private:
+    /// Whether another side than the one it came in by, beyond which the surface goes on, is so.
+    template <class Is>
+    bool has_side(const Is& is) const;
     void cross();
     bool find_exit(unsigned wall);
 

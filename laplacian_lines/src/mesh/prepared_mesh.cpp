@@ -186,27 +186,28 @@ void to_local_coordinates(const TriangleMesh& mesh, PreparedMesh& prepared) {
     });
 }
 
-/// Of which all coordinates are multiples, as seen from those of one vertex, by Euclid's algorithm;
-/// 0 if it is less than `least`.
-double coordinate_step(const TriangleMesh& mesh, const PreparedMesh& prepared, double least) {
+/// Of which the extents of all triangles' sides are multiples, by Euclid's algorithm; 0 if it is
+/// less than `least`.
+double common_step(const TriangleMesh& mesh, const PreparedMesh& prepared, double least) {
     constexpr double kOff = 0.01;  // of a step, besides what rounding to floats adds up to
-    const Eigen::Vector3d& from = mesh.positions[prepared.original_vertex[0]];
     const double rounding =
         0x1p-23 * (prepared.centre.cwiseAbs().maxCoeff() + prepared.diagonal / 2);
-    double step = 0, most_times = 0;
-    for (const std::uint32_t v : prepared.original_vertex)
-        for (double rest : Eigen::Vector3d((mesh.positions[v] - from).cwiseAbs())) {
-            while (rest > rounding && step > 0) {
-                const double times = std::round(rest / step), off = std::abs(rest - times * step);
-                if (off <= kOff * step + times * rounding) {
-                    if (times > most_times) step = rest / times, most_times = times;
-                    break;
-                }
-                rest = step;
-                step = off;
-                most_times = 1;
-            }
-            if (step == 0 && rest > rounding) step = rest;
+    double step = 0;
+    const auto add = [&](double extent) {
+        while (extent > std::max(rounding, kOff * step)) {
+            if (step == 0) step = extent;
+            const double times = std::round(extent / step), off = std::abs(extent - times * step);
+            if (off <= kOff * step + times * rounding) return;
+            extent = step;
+            step = off;
+        }
+    };
+    for (const Triangle& t : prepared.triangles)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Eigen::Vector3d side = mesh.positions[prepared.original_vertex[t[(k + 1) % 3]]] -
+                                         mesh.positions[prepared.original_vertex[t[k]]];
+            for (const double x : side)
+                add(std::abs(x));
             if (step > 0 && step < least) return 0;
         }
     return step;
@@ -216,7 +217,7 @@ double coordinate_step(const TriangleMesh& mesh, const PreparedMesh& prepared, d
 double coarse_step(const TriangleMesh& mesh, const PreparedMesh& prepared) {
     if (prepared.triangles.size() < kFewTriangles) return 0;
     const double edge = prepared.mean_edge * prepared.diagonal;
-    const double step = coordinate_step(mesh, prepared, kCoarseStep * edge);
+    const double step = common_step(mesh, prepared, kCoarseStep * edge);
     if (step == 0) return 0;
     const auto is_in_cell = [&](const Triangle& t) {
         const Eigen::Vector3d &a = prepared.positions[t[0]], &b = prepared.positions[t[1]],
@@ -226,7 +227,8 @@ double coarse_step(const TriangleMesh& mesh, const PreparedMesh& prepared) {
     };
     const std::vector<Triangle>& triangles = prepared.triangles;
     const bool is_grid = std::all_of(triangles.begin(), triangles.end(), is_in_cell);
-    return is_grid || is_made(prepared, CornerTable(triangles, prepared.size())) ? 0 : step;
+    const CornerTable sides(triangles, prepared.size());
+    return is_grid || has_large_faces(prepared, sides) ? 0 : step;
 }
 
 }  // namespace
