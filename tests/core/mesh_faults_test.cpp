@@ -180,6 +180,29 @@ TEST(MeshFaults, OfPiecesThatDoNotHangTogether) {
     EXPECT_EQ(faults_found(cut_apart(torus), unwelded), Faults{MeshFault::Torn});
 }
 
+TriangleMesh rounded_to(double step, TriangleMesh mesh) {
+    for (Eigen::Vector3d& p : mesh.positions)
+        p = (step * (p / step).array().round()).matrix();
+    return mesh;
+}
+
+/// A tenth of the mean edge or more, wherever the mesh is; not the plain sizes of what was made.
+TEST(MeshFaults, OfCoordinatesOfFewDigits) {
+    const TriangleMesh far = moved(mesh_named("torus").mesh, {100, 20, -30});
+    const double edge = precompute(far).scale.mean_edge;
+    EXPECT_EQ(faults_found(rounded_to(0.08 * edge, far)), Faults());
+    const MeshReport report = precompute(rounded_to(0.12 * edge, far)).report;
+    EXPECT_NEAR(report.coordinate_step, 0.12 * edge, 1e-6);
+    EXPECT_EQ(faults_of(report), Faults{MeshFault::Quantized});
+    EXPECT_EQ(faults_found(rounded_to(0.4 * edge, far)), Faults{MeshFault::Quantized});
+    TriangleMesh floats = rounded_to(0.12 * edge, far);
+    for (Eigen::Vector3d& p : floats.positions)
+        for (double& x : p)
+            x = double(float(x));
+    EXPECT_EQ(faults_found(floats), Faults{MeshFault::Quantized});
+    EXPECT_EQ(faults_found(rounded_to(0.1, cube(40))), Faults());
+}
+
 TEST(MeshFaults, OfKernelsThatBlurTheForm) {
     const TriangleMesh& torus = mesh_named("torus").mesh;
     PrecomputeOptions options;

@@ -44,7 +44,10 @@ struct MeshReport {
     // For faults_of(): of the surface that is left, its cuts closed.
     double border_share = 0;   ///< of its edges, those of one triangle, if it is in pieces
     double opposed_share = 0;  ///< those of two triangles that disagree about the outside
-    double kernel_bend = 0;    ///< median of curvature · kernel size; 0: as small as may be
+    /// Of which the coordinates are multiples, input units, if that is a tenth of the mean edge or
+    /// more. Else, and of forms of few triangles, large flat faces or cells of a grid, 0.
+    double coordinate_step = 0;
+    double kernel_bend = 0;  ///< median of curvature · kernel size; 0: as small as may be
 };
 
 }  // namespace laplacian_lines

@@ -11,6 +11,7 @@
 #include "clusters/cluster_partition.h"
 #include "clusters/coarseness.h"
 #include "clusters/linear_forms.h"
+#include "mesh/flat_faces.h"
 #include "rules/convexity.h"
 #include "system/large_array.h"
 
@@ -78,9 +79,10 @@ public:
 
     void build(const StageProgress& stage) {
         stage.report(0);
-        coarse_ = find_coarse_triangles(mesh_, field_);
         plain_ = find_plain_triangles(mesh_);
         const CornerTable sides(mesh_.triangles, mesh_.size());
+        data_.flat_share = flat_share(mesh_, sides);
+        coarse_ = find_coarse_triangles(mesh_, data_.flat_share > kMadeShare, field_);
         partition_ = partition(mesh_, sides, coarse_);
         stage.report(kPartitioned);
         links_ = link_clusters(mesh_, sides, coarse_, partition_);

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "field/field_steps.h"
-#include "mesh/flat_faces.h"
 #include "system/disjoint_sets.h"
 #include "system/large_array.h"
 #include "system/parallel.h"
@@ -145,9 +144,10 @@ bool is_rough(const MeshReport& report) {
     return report.roughness > kLargestRoughness;
 }
 
-std::vector<std::uint8_t> find_coarse_triangles(const PreparedMesh& mesh, const Field& field) {
+std::vector<std::uint8_t> find_coarse_triangles(const PreparedMesh& mesh, bool is_made,
+                                                const Field& field) {
     std::vector<std::uint8_t> coarse(mesh.triangles.size());
-    const bool only_large = is_rough(field.report), made = !only_large && is_made(mesh);
+    const bool only_large = is_rough(field.report), made = !only_large && is_made;
     for_each_element(coarse.size(), [&](std::size_t i) {
         const Lean lean(mesh, field, mesh.triangles[i]);
         coarse[i] = only_large ? lean.is_larger(kLargestRoughTriangle)

@@ -20,7 +20,8 @@ bool is_rough(const MeshReport& report);
 /// meshes only large ones do; of a mesh that was made, with flat faces of several triangles, all do
 /// that lean by 10° and more, however small. Where more than half count, all do. The number of
 /// threads does not matter.
-std::vector<std::uint8_t> find_coarse_triangles(const PreparedMesh& mesh, const Field& field);
+std::vector<std::uint8_t> find_coarse_triangles(const PreparedMesh& mesh, bool is_made,
+                                                const Field& field);
 
 /// Which triangles are plain, 1 or 0 for each: where the surface has no form of its own that a
 /// Laplacian line could tell of, so that what is found there comes from beyond an edge, over which

@@ -44,6 +44,7 @@ struct ExtractorData {
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< of line sets
     double diagonal = 1;                               ///< D, mesh units
     LaplacianForms laplacians;                         ///< √h as of its field
+    double flat_share = 0;                             ///< of the area, see flat_faces.h
     bool is_rough = false;  ///< edges of the mesh are those of noise or voxels, not of the form
     bool is_sheet = false;  ///< its borders are so long that it is seen from both sides
     bool is_body = false;   ///< closed and facing outwards: what faces away is hidden
@@ -51,6 +52,14 @@ struct ExtractorData {
 
     ClusterStore store() const;
     std::size_t memory() const;  ///< bytes
+
+    /// A local position as line sets have it, and back.
+    Eigen::Vector3f in_line_set(const Eigen::Vector3f& local) const {
+        return (centre - origin + diagonal * local.cast<double>()).cast<float>();
+    }
+    Eigen::Vector3f local_of(const Eigen::Vector3f& in_line_set) const {
+        return ((origin - centre + in_line_set.cast<double>()) / diagonal).cast<float>();
+    }
 };
 
 /// A homogeneous point in local coordinates, scaled so that n·(eye − w p) is about in [−1, 1].

@@ -131,7 +131,8 @@ double quantile(std::vector<Facets>& facets, double Facets::*number, double shar
 
 bool has_noisy_facets(const PreparedMesh& mesh) {
     if (!(mesh.mean_edge >= kLeastEdge && mesh.mean_edge <= kLargestEdge)) return false;
-    if (is_made(mesh)) return false;  // noise leaves no flat faces; sides of thin plates seem noisy
+    // noise leaves no flat faces; sides of thin plates seem noisy
+    if (is_made(mesh, CornerTable(mesh.triangles, mesh.size()))) return false;
     const TrianglesAt at(mesh.size(), mesh.triangles);
     const std::size_t count = std::min(kSamples, mesh.size());
     std::vector<Facets> all(count);

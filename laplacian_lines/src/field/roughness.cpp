@@ -93,7 +93,9 @@ double measure_roughness(const PreparedMesh& mesh, const SpatialTree& tree,
                          const std::vector<Eigen::Vector3d>& normals) {
     const double roughness = roughness_by_scales(mesh, tree, relative_sizes, normals);
     // Where all vertices are on edges, as of plates, the form turns their normals as noise would.
-    if (roughness > kLargestRoughness && has_large_faces(mesh)) return 0;
+    if (roughness > kLargestRoughness &&
+        has_large_faces(mesh, CornerTable(mesh.triangles, mesh.size())))
+        return 0;
     return roughness < kOfNoisyFacets && has_noisy_facets(mesh) ? kOfNoisyFacets : roughness;
 }
 

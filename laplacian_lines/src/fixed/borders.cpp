@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Chains of edges where the surface ends.
 #include <algorithm>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include "fixed/crossing_graph.h"
-#include "fixed/fixed_kinds.h"
-#include "fixed/segment_tracing.h"
-#include "fixed/showing.h"
+#include "fixed/fixed_lines.h"
+#include "fixed/piece_graph.h"
+#include "rules/thresholds.h"
 
 namespace laplacian_lines {
 namespace {
@@ -18,7 +16,7 @@ constexpr float kPinhole = 3;  // shortest lines around a hole that is worth a b
 /// A side of a triangle where the surface ends.
 struct BorderSide {
     std::uint32_t vertices[2];  ///< from one to the other
-    const float* positions[2];
+    Eigen::Vector3f positions[2];
 
     std::pair<std::uint32_t, std::uint32_t> edge() const {
         return std::minmax(vertices[0], vertices[1]);
@@ -35,7 +33,7 @@ std::vector<BorderSide> border_sides(const ExtractorData& data) {
                 if (triangle.neighbours[k] != kNoNeighbour) continue;
                 const unsigned a = triangle.corners[k], b = triangle.corners[(k + 1) % 3];
                 sides.push_back({{placed.vertices[a], placed.vertices[b]},
-                                 {placed.records[a].position, placed.records[b].position}});
+                                 {position_of(placed.records[a]), position_of(placed.records[b])}});
             }
     std::stable_sort(sides.begin(), sides.end(),
                      [](const BorderSide& x, const BorderSide& y) { return x.edge() < y.edge(); });
@@ -43,42 +41,45 @@ std::vector<BorderSide> border_sides(const ExtractorData& data) {
 }
 
 LineSet find_borders(const ExtractorData& data) {
-    CrossingGraph graph;
-    std::unordered_map<std::uint32_t, std::uint32_t> point_of_vertex;
-    const auto point = [&](std::uint32_t vertex, const float* position) {
-        const auto number = std::uint32_t(graph.crossings.size());
-        const auto [place, is_new] = point_of_vertex.try_emplace(vertex, number);
-        if (is_new) graph.crossings.push_back({Eigen::Map<const Eigen::Vector3f>(position), 0});
-        return place->second;
+    PieceGraph graph;
+    std::vector<Eigen::Vector3f> positions;  // by node
+    const auto node = [&](const BorderSide& side, int end) {
+        const std::uint32_t number = graph.node(side.vertices[end]);
+        if (number == positions.size()) positions.push_back(side.positions[end]);
+        return number;
     };
     const std::vector<BorderSide> sides = border_sides(data);
     for (std::size_t i = 0; i < sides.size(); ++i) {
-        const BorderSide& side = sides[i];
-        if (i + 1 < sides.size() && side.edge() == sides[i + 1].edge()) continue;
-        const std::uint32_t begin = point(side.vertices[0], side.positions[0]);
-        graph.segments.push_back({begin, point(side.vertices[1], side.positions[1])});
+        if (i + 1 < sides.size() && sides[i].edge() == sides[i + 1].edge()) continue;
+        const std::uint32_t begin = node(sides[i], 0);
+        graph.add(begin, node(sides[i], 1));
     }
-    LineRules rules;
-    rules.kind = LineKind::Border;
-    TracingMemory memory;
     LineSet lines;
-    trace_segments(data, rules, graph, memory, lines);
+    for (const PieceGraph::Line& line : graph.lines())
+        append_line(
+            data, LineKind::Border, line,
+            [&](std::uint32_t n) -> const Eigen::Vector3f& { return positions[n]; }, lines);
     return lines;
 }
 
 class Borders : public FixedKindLines {
 public:
-    explicit Borders(const ExtractorData& data) : lines_(find_borders(data)) {}
+    explicit Borders(const ExtractorData& data) : found_(find_borders(data)) {}
 
     void append(const ExtractorData&, FixedLines&, const LocalEye&, const LineStyle& style,
                 LineSet& lines) const override {
-        append_lines(
-            lines_, {kPinhole * Thresholds(style).shortest_line, 0},
-            [](std::size_t) { return true; }, [](std::size_t) { return 1.f; }, lines);
+        const float shortest = kPinhole * Thresholds(style).shortest_line;
+        for (Polyline line : found_.lines) {
+            if (line.length < shortest) continue;
+            const auto begin = found_.points.begin() + line.first;
+            line.first = std::uint32_t(lines.points.size());
+            lines.points.insert(lines.points.end(), begin, begin + line.count);
+            lines.lines.push_back(line);
+        }
     }
 
 private:
-    const LineSet lines_;
+    const LineSet found_;
 };
 
 }  // namespace

@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fixed/crease_tracing.h"
+// What a crease is, in the order in which it is asked. An edge of the mesh
+//  1. turns by 3 degrees on a mesh that was made, by 20 on one that was measured, and is on no
+//     rough one, whose edges are those of noise or of voxels;
+//  2. on what was measured, parts two sides that differ as much as it turns: is_edge_of_form();
+//  3. then is certain if it turns by 40 degrees; of others,
+//  4. is no mere diagonal: is_mere_diagonal(),
+//  5. turns more than the curved faces on both sides explain: crease_jump(),
+//  6. and hangs together with others: drop_unsupported().
+// Which of these are long and even enough to be drawn, creases.cpp says.
+#include "fixed/crease_edges.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "fixed/crease_criteria.h"
 #include "mesh/flat_faces.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
 namespace {
+
+using Eigen::Vector3f;
+using Verdict = CreaseEdge::Verdict;
 
 constexpr float kDegrees = 57.29577951308232f;
 // Less is not called a crease: two faces that were made to be one meet at angles as large.
@@ -20,46 +30,83 @@ constexpr float kLeastMeasuredAngle = 20;  // degrees
 // Shares of the edge's angle that are not explained. Half is between a facet, of which all is, and
 // an edge between flat faces, of which nothing is; what goes on from there may be weaker.
 constexpr float kStrong = 0.5f, kWeak = 0.25f;
-// More than half of the edges are flat on a rough mesh where it has voxels' terraces.
-constexpr double kTerracesShare = 0.5;
 constexpr std::size_t kEdgesAtATime = 256;
 
-float cosine_of(float degrees) {
-    return std::cos(degrees / kDegrees);
+// Of triangular faces.
+constexpr std::uint32_t kMostPlaces = 4000;
+constexpr std::size_t kMostParts = 256;   // a triangle subdivided four times
+constexpr float kSameDirection = 0.999f;  // cosine
+
+/// Whether the flat face of a triangle has sides in but three directions, going around it, as only
+/// a triangle has.
+bool is_triangle(const TriangleGraph& graph, std::uint32_t triangle, float flat) {
+    std::vector<std::uint32_t> parts = {triangle};
+    std::vector<float> signs = {1};  // which turn normals to one side
+    std::vector<Vector3f> directions;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const TriangleGraph::Node& node = graph.triangles[parts[i]];
+        for (unsigned k = 0; k < 3; ++k) {
+            const std::uint32_t next = node.neighbours[k];
+            if (next != TriangleGraph::kNone && graph.cosine_across(parts[i], k) >= flat) {
+                if (std::find(parts.begin(), parts.end(), next) != parts.end()) continue;
+                if (parts.size() == kMostParts) return false;
+                parts.push_back(next);
+                signs.push_back(signs[i] * node.sign_across(k));
+                continue;
+            }
+            const Vector3f side =
+                graph.position(parts[i], (k + 1) % 3) - graph.position(parts[i], k);
+            const Vector3f direction = signs[i] * unit(side);
+            const auto is_same = [&](const Vector3f& d) {
+                return dot(d, direction) > kSameDirection;
+            };
+            if (std::any_of(directions.begin(), directions.end(), is_same)) continue;
+            if (directions.size() == 3) return false;
+            directions.push_back(direction);
+        }
+    }
+    return directions.size() == 3;
 }
 
-/// A bent edge with the vertices at its ends.
-struct Candidate {
-    TriangleSide side;
-    std::uint32_t vertices[2];
-    float angle;  ///< degrees
-};
-
-/// None: noise. Facet: shown only by styles with an angle as small. Unclear: strong, but a side
-/// that is neither flat nor even cannot tell.
-enum class Verdict : std::uint8_t { None, Facet, Unclear, Weak, Strong, Certain };
+/// Of the area of flat faces of several triangles, 0 to 1, the share of those that are triangles
+/// themselves: as good as all where the triangles of a scan were subdivided. Flat is what meets at
+/// this cosine or more. By some places all over the mesh.
+double share_of_triangular_faces(const TriangleGraph& graph, float flat) {
+    const std::uint32_t step = graph.count / kMostPlaces + 1;
+    double all = 0, triangular = 0;
+    for (std::uint32_t triangle = 0; triangle < graph.count; triangle += step) {
+        if (!graph.goes_on_flat(triangle, flat)) continue;
+        const double area = double(graph.triangles[triangle].area);
+        all += area;
+        if (is_triangle(graph, triangle, flat)) triangular += area;
+    }
+    return all > 0 ? triangular / all : 0;
+}
 
 class CreaseFinder {
 public:
-    CreaseFinder(const ExtractorData& data, float least_angle)
-        : least_angle_(least_angle),
-          graph_(build_triangle_graph(data)),
+    explicit CreaseFinder(const ExtractorData& data)
+        : graph_(build_triangle_graph(data)),
           placed_(place_clusters(data)),
-          is_rough_(data.is_rough),
-          is_made_(was_made(is_rough_)) {}
+          is_made_(data.flat_share > kMadeShare &&
+                   (1 - share_of_triangular_faces(graph_, flat_)) * data.flat_share > kMadeShare) {}
 
-    std::vector<CreaseEdge> run() const {
-        if (is_rough_ && !is_made_) return {};  // edges are those of noise or of voxels
-        const std::vector<Candidate> candidates = find_candidates();
-        std::vector<Verdict> verdicts(candidates.size());
-        const std::size_t parts = (candidates.size() + kEdgesAtATime - 1) / kEdgesAtATime;
-        in_parallel(parts, [&](std::size_t part) {
-            const std::size_t begin = part * kEdgesAtATime;
-            const std::size_t end = std::min(candidates.size(), begin + kEdgesAtATime);
-            for (std::size_t i = begin; i < end; ++i)
-                verdicts[i] = judge(candidates[i]);
-        });
-        return supported(candidates, verdicts);
+    std::vector<CreaseEdge> run(float least_angle) const {
+        std::vector<CreaseEdge> edges = find_bent_edges();
+        parallel_for<NoScratch>(
+            edges.size(), kEdgesAtATime,
+            [&](std::size_t i, NoScratch&) { edges[i].verdict = judge(edges[i]); },
+            [](std::size_t) {});
+        drop_unsupported(edges, is_made_);
+        for (CreaseEdge& edge : edges)
+            if (edge.verdict != Verdict::Noise)
+                edge.shown_up_to =
+                    edge.verdict == Verdict::Facet ? edge.angle : std::max(kEdgeAngle, edge.angle);
+        const auto is_unused = [&](const CreaseEdge& edge) {
+            return edge.verdict == Verdict::Noise || edge.shown_up_to < least_angle;
+        };
+        edges.erase(std::remove_if(edges.begin(), edges.end(), is_unused), edges.end());
+        return edges;
     }
 
 private:
@@ -78,64 +125,38 @@ private:
         }
     }
 
-    /// Faces of large triangles count for what they are: lofts have few that are flat. Notes in the
-    /// graph how often a scan was subdivided.
-    bool was_made(bool is_rough) {
-        struct Counts {
-            double edges = 0, flat_edges = 0, area = 0, flat_area = 0;
-        };
-        std::vector<Counts> of_cluster(placed_.size());
-        in_parallel(placed_.size(), [&](std::size_t c) {
-            Counts& counts = of_cluster[c];
-            for_each_edge(c, [&](unsigned, unsigned, float cosine) {
-                ++counts.edges;
-                counts.flat_edges += cosine >= flat_;
-            });
-            for (unsigned t = 0; t < placed_[c].cluster->triangle_count; ++t) {
-                const std::uint32_t triangle = placed_[c].first_triangle + t;
-                const double area = double(graph_.triangles[triangle].area);
-                counts.area += area;
-                if (graph_.goes_on_flat(triangle, flat_)) counts.flat_area += area;
-            }
-        });
-        Counts sum;
-        for (const Counts& some : of_cluster) {
-            sum.edges += some.edges;
-            sum.flat_edges += some.flat_edges;
-            sum.area += some.area;
-            sum.flat_area += some.flat_area;
-        }
-        if (sum.flat_area < kMadeShare * sum.area ||
-            (is_rough && sum.flat_edges > kTerracesShare * sum.edges))
-            return false;
-        const TriangularFaces faces = find_triangular_faces(graph_, flat_);
-        if ((1 - faces.share) * sum.flat_area >= kMadeShare * sum.area) return true;
-        graph_.subdivision = std::uint32_t(std::lround(faces.parts));
-        return false;
-    }
-
-    std::vector<Candidate> find_candidates() const {
-        const float bent = cosine_of(is_made_ ? kLeastCreaseAngle : kLeastMeasuredAngle);
-        std::vector<std::vector<Candidate>> of_cluster(placed_.size());
+    std::vector<CreaseEdge> find_bent_edges() const {
+        const float bent =
+            std::cos((is_made_ ? kLeastCreaseAngle : kLeastMeasuredAngle) / kDegrees);
+        std::vector<std::vector<CreaseEdge>> of_cluster(placed_.size());
         in_parallel(placed_.size(), [&](std::size_t c) {
             for_each_edge(c, [&](unsigned t, unsigned k, float cosine) {
-                if (cosine > bent) return;
-                const auto& corners = placed_[c].triangle(t).corners;
-                of_cluster[c].push_back(
-                    {{placed_[c].first_triangle + t, k},
-                     {placed_[c].vertices[corners[k]], placed_[c].vertices[corners[(k + 1) % 3]]},
-                     float(std::acos(std::max(double(cosine), -1.))) * kDegrees});
+                if (cosine <= bent) of_cluster[c].push_back(make_edge(placed_[c], t, k, cosine));
             });
         });
-        std::vector<Candidate> all;
-        for (const std::vector<Candidate>& some : of_cluster)
+        std::vector<CreaseEdge> all;
+        for (const std::vector<CreaseEdge>& some : of_cluster)
             all.insert(all.end(), some.begin(), some.end());
         return all;
     }
 
-    Verdict judge(const Candidate& edge) const {
-        const auto [triangle, k] = edge.side;
-        if (!is_made_ && !is_edge_of_form(graph_, {triangle, k, edge.angle})) return Verdict::None;
+    CreaseEdge make_edge(const PlacedCluster& placed, unsigned t, unsigned k, float cosine) const {
+        const std::uint32_t triangle = placed.first_triangle + t;
+        const TriangleGraph::Node& node = graph_.triangles[triangle];
+        const auto& corners = placed.triangle(t).corners;
+        const auto facet = [&](std::uint32_t t) {
+            return graph_.goes_on_flat(t, flat_) ? TriangleGraph::kNone : t;
+        };
+        return {{triangle, k},
+                {placed.vertices[corners[k]], placed.vertices[corners[(k + 1) % 3]]},
+                {graph_.position(triangle, k), graph_.position(triangle, (k + 1) % 3)},
+                {node.normal, node.sign_across(k) * graph_.triangles[node.neighbours[k]].normal},
+                {facet(triangle), facet(node.neighbours[k])},
+                float(std::acos(std::max(double(cosine), -1.))) * kDegrees};
+    }
+
+    Verdict judge(const CreaseEdge& edge) const {
+        if (!is_made_ && !is_edge_of_form(graph_, edge)) return Verdict::Noise;
         if (edge.angle >= kEdgeAngle) return Verdict::Certain;
         if (is_mere_diagonal(graph_, edge.side)) return Verdict::Facet;
         const CreaseJump jump = crease_jump(graph_, edge.side, signed_angle(graph_, edge.side));
@@ -145,60 +166,17 @@ private:
         return is_strong ? Verdict::Strong : Verdict::Weak;
     }
 
-    std::vector<CreaseEdge> supported(const std::vector<Candidate>& candidates,
-                                      const std::vector<Verdict>& verdicts) const {
-        std::vector<std::uint32_t> numbers;  // of candidates
-        std::vector<PossibleCrease> possible;
-        for (std::uint32_t i = 0; i < candidates.size(); ++i) {
-            if (verdicts[i] < Verdict::Unclear) continue;
-            const CreaseEdge edge = make_edge(candidates[i], 0);
-            numbers.push_back(i);
-            possible.push_back({{edge.vertices[0], edge.vertices[1]},
-                                {edge.positions[0], edge.positions[1]},
-                                edge.angle,
-                                verdicts[i] == Verdict::Certain,
-                                verdicts[i] == Verdict::Strong,
-                                verdicts[i] == Verdict::Unclear});
-        }
-        std::vector<float> shown(candidates.size());
-        for (std::uint32_t i = 0; i < candidates.size(); ++i)
-            shown[i] = verdicts[i] == Verdict::None ? 0 : candidates[i].angle;
-        const std::vector<std::uint8_t> kept = find_supported(possible, is_made_);
-        for (std::size_t n = 0; n < numbers.size(); ++n)
-            if (kept[n]) shown[numbers[n]] = std::max(kEdgeAngle, candidates[numbers[n]].angle);
-        std::vector<CreaseEdge> edges;
-        for (std::size_t i = 0; i < candidates.size(); ++i)
-            if (shown[i] > 0 && shown[i] >= least_angle_)
-                edges.push_back(make_edge(candidates[i], shown[i]));
-        return edges;
-    }
-
-    CreaseEdge make_edge(const Candidate& candidate, float shown_up_to) const {
-        const auto [triangle, side] = candidate.side;
-        const TriangleGraph::Node& node = graph_.triangles[triangle];
-        const auto facet = [&](std::uint32_t t) {
-            return graph_.goes_on_flat(t, flat_) ? TriangleGraph::kNone : t;
-        };
-        return {
-            {candidate.vertices[0], candidate.vertices[1]},
-            {graph_.position(triangle, side), graph_.position(triangle, (side + 1) % 3)},
-            {node.normal, node.sign_across(side) * graph_.triangles[node.neighbours[side]].normal},
-            {facet(triangle), facet(node.neighbours[side])},
-            candidate.angle,
-            shown_up_to};
-    }
-
-    const float least_angle_;
-    const float flat_ = cosine_of(kFlat);
-    TriangleGraph graph_;
+    const float flat_ = std::cos(kFlat / kDegrees);
+    const TriangleGraph graph_;
     const std::vector<PlacedCluster> placed_;
-    const bool is_rough_, is_made_;
+    const bool is_made_;
 };
 
 }  // namespace
 
 std::vector<CreaseEdge> find_crease_edges(const ExtractorData& data, float least_angle) {
-    return CreaseFinder(data, least_angle).run();
+    if (data.is_rough) return {};
+    return CreaseFinder(data).run(least_angle);
 }
 
 }  // namespace laplacian_lines

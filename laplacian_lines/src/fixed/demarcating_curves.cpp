@@ -1,84 +1,152 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shows demarcating curves that are strong enough, with their weaker continuations.
+// Demarcating curves: zeros of II(g, g), g the direction in which C(g, g, g) is largest, along
+// which the curvature changes fastest: M. Kolomenkin, I. Shimshoni, A. Tal: "Demarcating Curves for
+// Shape Illustration", SIGGRAPH Asia 2008. g points from hollow to bulging; no curve passes
+// triangles in which it turns by more than 45 degrees. Shown are those that are strong enough, with
+// their weaker continuations.
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <mutex>
 
-#include "fixed/demarcation.h"
-#include "fixed/fixed_kinds.h"
+#include "fixed/fixed_lines.h"
 #include "fixed/strong_lines.h"
+#include "laplacian_lines/tangent_frame.h"
 #include "rules/line_rules.h"
-#include "rules/opacity.h"
 #include "rules/thresholds.h"
 #include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
 
-constexpr float kFading = 3;  // a gentle relief is paler than a steep one
+constexpr float kDegrees = 57.2957795f;
+constexpr int kDirections = 36;        // that are tried; a cubic has at most three maxima
+constexpr float kClear = 0.9f;         // of the largest maximum, the most that another one may be
+constexpr float kLeastTurn = 0.7071f;  // cosine between directions at corners
+constexpr float kLeastLength = 0.02f;  // D
+constexpr float kFading = 3;           // a gentle relief is paler than a steep one
 
-class DemarcatingCurves : public FixedKindLines {
+float cubic(const Eigen::Vector4f& c, float x, float y) {
+    return x * x * (c[0] * x + 3 * c[1] * y) + y * y * (3 * c[2] * x + c[3] * y);
+}
+
+/// A maximum of the cubic near an angle, by Newton's method.
+float refined(const Eigen::Vector4f& c, float angle) {
+    for (int step = 0; step < 3; ++step) {
+        const float x = std::cos(angle), y = std::sin(angle);
+        // A third of the gradient and a sixth of the second derivatives.
+        const float fx = c[0] * x * x + 2 * c[1] * x * y + c[2] * y * y;
+        const float fy = c[1] * x * x + 2 * c[2] * x * y + c[3] * y * y;
+        const float fxx = c[0] * x + c[1] * y, fxy = c[1] * x + c[2] * y, fyy = c[2] * x + c[3] * y;
+        const float first = x * fy - y * fx;
+        const float second = 2 * (fxx * y * y - 2 * fxy * x * y + fyy * x * x) - (fx * x + fy * y);
+        if (!(second < 0)) break;
+        angle -= std::clamp(first / second, -0.1f, 0.1f);
+    }
+    return angle;
+}
+
+/// The direction in a tangent plane in which C(g, g, g) is largest.
+struct SteepestBend {
+    Eigen::Vector2f direction = Eigen::Vector2f::Zero();  ///< g in the frame of C, unit
+    float slope = 0;  ///< C(g, g, g); 0: none is clearly the largest
+};
+
+SteepestBend steepest_bend(const Eigen::Vector4f& derivative) {
+    constexpr float step = 2 * 3.14159265f / kDirections;
+    float values[kDirections];
+    for (int i = 0; i < kDirections; ++i)
+        values[i] = cubic(derivative, std::cos(float(i) * step), std::sin(float(i) * step));
+    SteepestBend best;
+    float second = 0;
+    for (int i = 0; i < kDirections; ++i) {
+        if (!(values[i] > values[(i + kDirections - 1) % kDirections] &&
+              values[i] >= values[(i + 1) % kDirections]))
+            continue;
+        const float angle = refined(derivative, float(i) * step);
+        const float x = std::cos(angle), y = std::sin(angle), slope = cubic(derivative, x, y);
+        second = std::max(second, std::min(slope, best.slope));
+        if (slope > best.slope) best = {{x, y}, slope};
+    }
+    return second > kClear * best.slope ? SteepestBend() : best;
+}
+
+struct Demarcation {
+    Eigen::Vector3f direction = Eigen::Vector3f::Zero();  ///< g
+    Eigen::Vector3f bend = Eigen::Vector3f::Zero();
+    float curvature = 0;  ///< II(g, g)
+    float strength = 0;   ///< C(g, g, g) h_e, degrees; 0: no direction
+};
+
+Demarcation demarcation(const CurvatureRecord& record, float slope_scale) {
+    Demarcation result;
+    const SteepestBend steepest =
+        steepest_bend(Eigen::Map<const Eigen::Vector4f>(record.derivative));
+    if (!(steepest.slope > 0)) return result;
+    const TangentFrame frame = tangent_frame(Eigen::Map<const Eigen::Vector3f>(record.normal));
+    const float* const s = record.curvature;
+    const Eigen::Vector2f &g = steepest.direction,
+                          bend = {s[0] * g.x() + s[1] * g.y(), s[1] * g.x() + s[2] * g.y()};
+    result.direction = g.x() * frame.u + g.y() * frame.v;
+    result.bend = bend.x() * frame.u + bend.y() * frame.v;
+    result.curvature = g.dot(bend);
+    result.strength = kDegrees * steepest.slope * std::pow(slope_scale, 2 / 3.f);
+    return result;
+}
+
+/// The value of its zeros is C(g, g, g) h_e in degrees.
+class ClusterCurves {
 public:
-    explicit DemarcatingCurves(const ExtractorData& data)
-        : found_(find_demarcating_curves(data, place_clusters(data))),
-          strongest_(strongest_of(found_.lines)) {}
+    explicit ClusterCurves(const PlacedCluster& placed) : placed_(placed) {
+        for (unsigned v = 0; v < placed.cluster->vertex_count; ++v)
+            at_[v] = demarcation(placed.curvatures[v], placed.records[v].slope_scale);
+    }
 
-    void append(const ExtractorData& data, FixedLines&, const LocalEye& eye, const LineStyle& style,
-                LineSet& lines) const override {
-        const std::shared_ptr<const Shown> shown = shown_by(rules_of(style), float(data.diagonal));
-        const float clearance = style.shows[LineKind::Contour] ? float(style.contour_clearance) : 0;
-        const auto first = std::uint32_t(lines.points.size());
-        for (std::size_t i = 0; i < shown->places.size(); ++i) {
-            LinePoint point = shown->lines.points[i];
-            const ZeroLines::Form& form = found_.forms[shown->places[i]];
-            const Eigen::Vector3f l = eye.towards(form.position);
-            point.opacity *=
-                clearance_opacity(std::abs(dot(form.normal, l)),
-                                  std::max(std::abs(dot(form.bend, l)), 1e-6f), clearance);
-            point.weight = point.opacity;
-            lines.points.push_back(point);
+    void add(unsigned triangle, ZeroPieces& pieces) const {
+        const auto& t = placed_.triangle(triangle).corners;
+        bool is_negative[3];
+        for (int k = 0; k < 3; ++k) {
+            const Demarcation &a = at_[t[k]], &b = at_[t[(k + 1) % 3]];
+            if (!(dot(a.direction, b.direction) > kLeastTurn)) return;  // also where there is none
+            is_negative[k] = a.curvature < 0;
         }
-        for (Polyline line : shown->lines.lines) {
-            line.first += first;
-            lines.lines.push_back(line);
-        }
+        if (is_negative[0] == is_negative[1] && is_negative[0] == is_negative[2]) return;
+        pieces.push_back(zero_piece(placed_, triangle, is_negative, [&](unsigned a, unsigned b) {
+            return std::make_pair(end(at_[a]), end(at_[b]));
+        }));
     }
 
 private:
-    static StrongLineRules rules_of(const LineStyle& style) {
+    static ZeroEnd end(const Demarcation& at) { return {at.curvature, at.bend, at.strength}; }
+
+    const PlacedCluster& placed_;
+    Demarcation at_[kClusterVertices];
+};
+
+ZeroLines find_demarcating_curves(const ExtractorData& data) {
+    if (data.curvatures.empty()) return {};
+    ZeroLines found =
+        find_zero_lines<ClusterCurves>(data, LineKind::DemarcatingCurve, kLeastLength);
+    for (std::size_t i = 0; i < found.forms.size(); ++i)
+        found.lines.points[i].gradient = found.forms[i].value;
+    return found;
+}
+
+class DemarcatingCurves : public FixedKindLines {
+public:
+    explicit DemarcatingCurves(const ExtractorData& data) : found_(find_demarcating_curves(data)) {}
+
+    void append(const ExtractorData& data, FixedLines&, const LocalEye& eye, const LineStyle& style,
+                LineSet& lines) const override {
         const Thresholds thresholds(style);
-        return {thresholds.demarcation, kFading * float(style.fading),
-                std::max(kLeastDemarcatingLength, 2 * thresholds.shortest_line),
-                kLeastDemarcatingLength, smoothing_passes(style.line_smoothing)};
+        const float clearance = style.shows[LineKind::Contour] ? float(style.contour_clearance) : 0;
+        found_.append(data, eye,
+                      {thresholds.demarcation, kFading * float(style.fading),
+                       std::max(kLeastLength, 2 * thresholds.shortest_line), kLeastLength,
+                       clearance, smoothing_passes(style.line_smoothing)},
+                      nullptr, lines);
     }
 
-    /// What the rules show from any eye, before contours hide some.
-    struct Shown {
-        StrongLineRules rules;
-        LineSet lines;
-        std::vector<std::uint32_t> places;  // of the points among those that were found
-    };
-
-    /// Keeps the last ones: styles seldom change between redraws.
-    std::shared_ptr<const Shown> shown_by(const StrongLineRules& rules, float diagonal) const {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        if (!shown_ || !(shown_->rules == rules)) {
-            auto shown = std::make_shared<Shown>(Shown{rules, {}, {}});
-            const auto note = [&](std::uint32_t place) {
-                shown->places.push_back(place);
-                return 1.f;
-            };
-            append_strong(found_.lines, strongest_, rules, diagonal, note, shown->lines);
-            shown_ = std::move(shown);
-        }
-        return shown_;
-    }
-
-    const ZeroLines found_;
-    const std::vector<float> strongest_;
-    mutable std::mutex mutex_;
-    mutable std::shared_ptr<const Shown> shown_;
+private:
+    const StrongLines found_;
 };
 
 }  // namespace

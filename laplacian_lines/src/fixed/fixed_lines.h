@@ -1,10 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "fixed/fixed_kinds.h"
+#include <array>
+#include <memory>
+
+#include "clusters/extractor_data.h"
+#include "laplacian_lines/line_set.h"
+#include "laplacian_lines/line_style.h"
 #include "system/on_demand.h"
 
 namespace laplacian_lines {
+
+class FixedLines;
+
+/// The lines of one kind on a mesh, found once. Thread-safe.
+class FixedKindLines {
+public:
+    virtual ~FixedKindLines() = default;
+    /// Appends what the style shows. The eye only matters near contours, `all` for what other kinds
+    /// draw already.
+    virtual void append(const ExtractorData& data, FixedLines& all, const LocalEye& eye,
+                        const LineStyle& style, LineSet& lines) const = 0;
+    /// What the style can show from any eye, the same object while that is the same; null for kinds
+    /// that nobody asks for.
+    virtual std::shared_ptr<const LineSet> whole(const ExtractorData&, const LineStyle&) const {
+        return nullptr;
+    }
+};
+
+struct FixedKind {
+    LineKind kind;
+    std::unique_ptr<const FixedKindLines> (*find)(const ExtractorData& data);
+};
+
+/// `Lines` are constructed from the data.
+template <class Lines>
+constexpr FixedKind fixed_kind(LineKind kind) {
+    return {kind, [](const ExtractorData& data) -> std::unique_ptr<const FixedKindLines> {
+                return std::make_unique<const Lines>(data);
+            }};
+}
+
+extern const FixedKind ridges;              ///< ridges.cpp
+extern const FixedKind borders;             ///< borders.cpp
+extern const FixedKind creases;             ///< creases.cpp
+extern const FixedKind valleys;             ///< ridges.cpp
+extern const FixedKind demarcating_curves;  ///< demarcating_curves.cpp
+
+constexpr std::size_t kFixedKindCount = 5;
+inline std::array<const FixedKind*, kFixedKindCount> fixed_kinds() {
+    return {&ridges, &borders, &creases, &valleys, &demarcating_curves};
+}
 
 /// Found when a style first shows them. Thread-safe.
 class FixedLines {

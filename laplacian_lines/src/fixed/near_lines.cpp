@@ -2,92 +2,57 @@
 #include "fixed/near_lines.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "system/parallel.h"
+#include "mesh/box_tree.h"
 #include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffu;
-constexpr float kAlong = 0.5f;       // least squared cosine
-constexpr float kMostPieces = 1e6f;  // of a segment, whatever the distance
+using Eigen::Vector3f;
 
-/// 21 bits of each: far cells may share a key, which only costs time.
-template <class Cell>
-std::uint64_t key_of(const Cell& cell) {
-    std::uint64_t key = 0;
-    for (int k = 0; k < 3; ++k)
-        key = key << 21 | (std::uint32_t(cell[k]) & 0x1fffffu);
-    return key;
-}
+constexpr float kAlong = 0.5f;     // least squared cosine
+constexpr float kRoundUp = 1.01f;  // of boxes, which only say what has to be looked at
 
-template <class Cell>
-Cell cell_at(const Eigen::Vector3f& p, float size) {
-    return (p / size)
-        .unaryExpr([](float x) { return std::floor(std::clamp(x, -1e9f, 1e9f)); })
-        .template cast<std::int32_t>();
-}
-
-}  // namespace
-
-NearLines::NearLines(const LineSet& lines, float distance) : distance_(distance) {
-    if (!(distance > 0)) return;
-    for (const Polyline& line : lines.lines)
-        for (std::uint32_t i = 1; i < line.count; ++i) {
-            const LinePoint* point = lines.points.data() + line.first + i;
-            add(point[-1].position, point[0].position);
-        }
-}
-
-/// In pieces no longer than a cell, by the cells of their middles: a neighbouring cell holds any
-/// that is near.
-void NearLines::add(const Eigen::Vector3f& begin, const Eigen::Vector3f& end) {
-    const float count = std::clamp(std::ceil(length_of(end - begin) / distance_), 1.f, kMostPieces);
-    for (float i = 0; i < count; ++i) {
-        const Eigen::Vector3f a = begin + i / count * (end - begin);
-        const Eigen::Vector3f b = begin + (i + 1) / count * (end - begin);
-        const auto number = std::uint32_t(pieces_.size());
-        const auto [place, is_new] =
-            first_of_cell_.try_emplace(key_of(cell_at<Cell>((a + b) / 2, 2 * distance_)), number);
-        pieces_.push_back({a, b, is_new ? kNone : place->second});
-        place->second = number;
-    }
-}
-
-bool NearLines::is_along(const Piece& piece, const Eigen::Vector3f& p,
-                         const Eigen::Vector3f& direction) const {
-    const Eigen::Vector3f span = piece.end - piece.begin;
+/// Whether a piece passes within the distance of p, about in this direction.
+bool is_along(const Vector3f& begin, const Vector3f& end, float distance, const Vector3f& p,
+              const Vector3f& direction) {
+    const Vector3f span = end - begin;
     const float length = squared_length_of(span);
-    const float t = length > 0 ? std::clamp(dot(p - piece.begin, span) / length, 0.f, 1.f) : 0.f;
-    if (squared_length_of(piece.begin + t * span - p) > distance_ * distance_) return false;
+    const float t = length > 0 ? std::clamp(dot(p - begin, span) / length, 0.f, 1.f) : 0.f;
+    if (squared_length_of(begin + t * span - p) > distance * distance) return false;
     const float product = dot(span, direction);
     return product * product >= kAlong * length * squared_length_of(direction);
 }
 
-bool NearLines::any_along(const Eigen::Vector3f& p, const Eigen::Vector3f& direction) const {
-    if (!(distance_ > 0) || !p.allFinite()) return false;
-    const Cell middle = cell_at<Cell>(p, 2 * distance_);
-    for (int i = 0; i < 27; ++i) {
-        const Cell cell = middle + Cell(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-        const auto found = first_of_cell_.find(key_of(cell));
-        if (found == first_of_cell_.end()) continue;
-        for (std::uint32_t k = found->second; k != kNone; k = pieces_[k].next)
-            if (is_along(pieces_[k], p, direction)) return true;
-    }
-    return false;
-}
+}  // namespace
 
-std::vector<std::uint8_t> points_along(const LineSet& lines, const NearLines& others) {
+std::vector<std::uint8_t> points_along(const LineSet& lines, const LineSet& others,
+                                       float distance) {
+    std::vector<std::uint32_t> begins;  // points from which pieces go to the next
+    Eigen::AlignedBox3f bounds;
+    for (const Polyline& line : others.lines)
+        for (std::uint32_t i = line.first; i + 1 < line.first + line.count; ++i)
+            begins.push_back(i);
+    for (const LinePoint& point : others.points)
+        bounds.extend(point.position);
+    const auto at = [&](std::uint32_t i) -> const Vector3f& { return others.points[i].position; };
+    const auto tree = BoxTree<3>::along_curve(std::move(begins), bounds, [&](std::uint32_t begin) {
+        const Vector3f room = Vector3f::Constant(kRoundUp * distance);
+        const Vector3f &a = at(begin), &b = at(begin + 1);
+        return Eigen::AlignedBox3f(a.cwiseMin(b) - room, a.cwiseMax(b) + room);
+    });
     std::vector<std::uint8_t> along(lines.points.size(), 0);
     in_parallel(lines.lines.size(), [&](std::size_t number) {
         const Polyline& line = lines.lines[number];
         const LinePoint* points = lines.points.data() + line.first;
         for (std::uint32_t i = 0; i < line.count; ++i) {
-            const Eigen::Vector3f direction = points[std::min(i + 1, line.count - 1)].position -
-                                              points[i > 0 ? i - 1 : 0].position;
-            along[line.first + i] = others.any_along(points[i].position, direction);
+            const Vector3f& p = points[i].position;
+            const Vector3f direction = points[std::min(i + 1, line.count - 1)].position -
+                                       points[i > 0 ? i - 1 : 0].position;
+            along[line.first + i] = !tree.visit(Eigen::AlignedBox3f(p), [&](std::uint32_t begin) {
+                return !is_along(at(begin), at(begin + 1), distance, p, direction);
+            });
         }
     });
     return along;

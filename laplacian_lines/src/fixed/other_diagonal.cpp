@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fixed/crease_criteria.h"
+#include "fixed/crease_edges.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

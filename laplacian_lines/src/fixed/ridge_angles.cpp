@@ -86,82 +86,65 @@ struct Turns {
     }
 };
 
-/// Memory of LineAngles; keeps its capacity.
-struct LineMemory {
-    std::vector<float> ways;             // from the begin of the line to its points, D
-    std::vector<std::uint32_t> samples;  // points that have a section
-    std::vector<SectionProfile> profiles;
-    std::vector<Turns> turns;
-    std::vector<float> angles;
-    std::vector<Eigen::Vector3f> moves;  // D
-};
-
 /// The angles of one line.
 class LineAngles {
 public:
-    LineAngles(std::uint32_t count, const Form* forms, LineMemory& memory)
-        : count_(count), forms_(forms), memory_(memory) {}
+    LineAngles(std::uint32_t count, const Form* forms) : count_(count), forms_(forms) {}
 
-    void measure(const SectionProbe& probe) {
+    void measure(const TriangleGraph& graph, float sign) {
         measure_ways();
         choose_samples();
-        const std::size_t n = memory_.samples.size();
-        if (memory_.profiles.size() < n) memory_.profiles.resize(n);
-        memory_.turns.resize(n);
+        const std::size_t n = samples_.size();
+        profiles_.resize(n);
+        turns_.resize(n);
         for (std::size_t s = 0; s < n; ++s) {
-            probe.measure(section(memory_.samples[s]), kReach, memory_.profiles[s]);
-            memory_.turns[s] = Turns(memory_.profiles[s]);
+            profiles_[s].measure(graph, section(samples_[s]), sign, kReach);
+            turns_[s] = Turns(profiles_[s]);
         }
-        memory_.angles.resize(n);
-        memory_.moves.resize(n);
+        angles_.resize(n);
+        moves_.resize(n);
         for (std::size_t s = 0; s < n; ++s) {
             const Turns turn = mean_turns(s);
-            memory_.angles[s] = turn.edge_angle();
-            memory_.moves[s] =
-                memory_.profiles[s].position(turn.middle) - forms_[memory_.samples[s]].position;
+            angles_[s] = turn.edge_angle();
+            moves_[s] = profiles_[s].position(turn.middle) - forms_[samples_[s]].position;
         }
     }
 
     /// Linear between the samples. `diagonal`: D
     void write(float diagonal, LinePoint* points) const {
-        const std::vector<std::uint32_t>& samples = memory_.samples;
         std::size_t s = 0;
         for (std::uint32_t i = 0; i < count_; ++i) {
-            while (s + 2 < samples.size() && samples[s + 1] < i)
+            while (s + 2 < samples_.size() && samples_[s + 1] < i)
                 ++s;
-            const float begin = memory_.ways[samples[s]], end = memory_.ways[samples[s + 1]];
-            const float t = end > begin ? (memory_.ways[i] - begin) / (end - begin) : 0;
-            points[i].gradient = (1 - t) * memory_.angles[s] + t * memory_.angles[s + 1];
-            points[i].position +=
-                diagonal * ((1 - t) * memory_.moves[s] + t * memory_.moves[s + 1]);
+            const float begin = ways_[samples_[s]], end = ways_[samples_[s + 1]];
+            const float t = end > begin ? (ways_[i] - begin) / (end - begin) : 0;
+            points[i].gradient = (1 - t) * angles_[s] + t * angles_[s + 1];
+            points[i].position += diagonal * ((1 - t) * moves_[s] + t * moves_[s + 1]);
         }
     }
 
 private:
     void measure_ways() {
-        memory_.ways.assign(1, 0);
+        ways_.assign(1, 0);
         for (std::uint32_t i = 1; i < count_; ++i)
-            memory_.ways.push_back(memory_.ways.back() +
-                                   length_of(forms_[i].position - forms_[i - 1].position));
+            ways_.push_back(ways_.back() + length_of(forms_[i].position - forms_[i - 1].position));
     }
 
     /// Both ends are among them.
     void choose_samples() {
-        memory_.samples.assign(1, 0);
+        samples_.assign(1, 0);
         for (std::uint32_t i = 1; i + 1 < count_; ++i)
-            if (memory_.ways[i] - memory_.ways[memory_.samples.back()] >= kStep)
-                memory_.samples.push_back(i);
-        memory_.samples.push_back(count_ - 1);
+            if (ways_[i] - ways_[samples_.back()] >= kStep) samples_.push_back(i);
+        samples_.push_back(count_ - 1);
     }
 
     /// Across the line, to its left; the mean of the directions nearby, which noise moves less.
-    SectionProbe::Section section(std::uint32_t i) const {
+    Section section(std::uint32_t i) const {
         const Form& here = forms_[i];
-        const std::vector<float>& ways = memory_.ways;
         std::uint32_t first = i, last = i;
-        while (first > 0 && ways[i] - ways[first - 1] <= kBendReach)
+        while (first > 0 && ways_[i] - ways_[first - 1] <= kBendReach)
             --first;
-        while (last + 1 < count_ && ways[last + 1] - ways[i] <= kBendReach)
+        while (last + 1 < count_ && ways_[last + 1] - ways_[i] <= kBendReach)
             ++last;
         Eigen::Vector3f bend = Eigen::Vector3f::Zero();
         for (std::uint32_t j = first; j <= last; ++j)
@@ -176,35 +159,38 @@ private:
 
     Turns mean_turns(std::size_t s) const {
         const auto is_near = [&](std::size_t other) {
-            return std::abs(memory_.ways[memory_.samples[other]] -
-                            memory_.ways[memory_.samples[s]]) <= kMeanReach;
+            return std::abs(ways_[samples_[other]] - ways_[samples_[s]]) <= kMeanReach;
         };
         std::size_t begin = s, end = s + 1;
         while (begin > 0 && is_near(begin - 1))
             --begin;
-        while (end < memory_.samples.size() && is_near(end))
+        while (end < samples_.size() && is_near(end))
             ++end;
         Turns mean;
         for (std::size_t other = begin; other < end; ++other)
-            mean.add(memory_.turns[other], 1 / float(end - begin));
+            mean.add(turns_[other], 1 / float(end - begin));
         return mean;
     }
 
     const std::uint32_t count_;
     const Form* const forms_;
-    LineMemory& memory_;
+    std::vector<float> ways_;             // from the begin of the line to its points, D
+    std::vector<std::uint32_t> samples_;  // points that have a section
+    std::vector<SectionProfile> profiles_;
+    std::vector<Turns> turns_;
+    std::vector<float> angles_;
+    std::vector<Eigen::Vector3f> moves_;  // D
 };
 
 }  // namespace
 
 void measure_ridge_angles(const ExtractorData& data, Crest crest, RidgeCandidates& candidates) {
     const TriangleGraph graph = build_triangle_graph(data);
-    const SectionProbe probe(graph, crest.sign);
     LineSet& lines = candidates.lines;
-    in_parallel<LineMemory>(lines.lines.size(), [&](std::size_t number, LineMemory& memory) {
+    in_parallel(lines.lines.size(), [&](std::size_t number) {
         const Polyline& line = lines.lines[number];
-        LineAngles angles(line.count, candidates.forms.data() + line.first, memory);
-        angles.measure(probe);
+        LineAngles angles(line.count, candidates.forms.data() + line.first);
+        angles.measure(graph, crest.sign);
         angles.write(float(data.diagonal), lines.points.data() + line.first);
     });
 }

@@ -6,9 +6,7 @@
 #include <cmath>
 
 #include "clusters/linear_forms.h"
-#include "fixed/cluster_zeros.h"
-#include "fixed/stretches.h"
-#include "system/parallel.h"
+#include "fixed/strong_lines.h"
 #include "system/three_floats.h"
 
 namespace laplacian_lines {
@@ -56,17 +54,11 @@ Bend bend(const VertexRecord& record, const Eigen::Vector3f& laplacian, float si
 /// Finds the pieces of ridges in one cluster.
 class ClusterRidges {
 public:
-    ClusterRidges(const PlacedCluster& placed, float sign) : placed_(placed), zeros_(placed) {
+    ClusterRidges(const PlacedCluster& placed, float sign) : placed_(placed) {
         for (unsigned v = 0; v < placed.cluster->vertex_count; ++v)
             bends_[v] = bend(placed.records[v], vector_of_form(placed.laplacians, v), sign);
     }
 
-    void find(ZeroPieces& pieces) const {
-        for (unsigned t = 0; t < placed_.cluster->triangle_count; ++t)
-            add(t, pieces);
-    }
-
-private:
     void add(unsigned triangle, ZeroPieces& pieces) const {
         const auto& t = placed_.triangle(triangle).corners;
         const Bend* b[3] = {&bends_[t[0]], &bends_[t[1]], &bends_[t[2]]};
@@ -83,11 +75,12 @@ private:
         const bool is_negative[3] = {f[0] < 0, f[1] < 0, f[2] < 0};
         if (is_negative[0] == is_negative[1] && is_negative[0] == is_negative[2]) return;
         if (!falls_along(t, f, e)) return;
-        pieces.push_back(zeros_.piece(triangle, is_negative, [&](unsigned a, unsigned b) {
+        pieces.push_back(zero_piece(placed_, triangle, is_negative, [&](unsigned a, unsigned b) {
             return std::make_pair(end(bends_[a], 1), end(bends_[b], sign_to(bends_[a], bends_[b])));
         }));
     }
 
+private:
     static ZeroEnd end(const Bend& bend, float sign) {
         return {bend.derivative, sign * (bend.curvature * bend.direction), 0};
     }
@@ -109,7 +102,6 @@ private:
     }
 
     const PlacedCluster& placed_;
-    const ClusterZeros zeros_;
     Bend bends_[kClusterVertices];
 };
 
@@ -126,18 +118,9 @@ bool is_guessed(const Polyline& line, const LinePoint* points, float diagonal) {
 
 }  // namespace
 
-std::vector<ZeroPieces> find_ridge_pieces(const std::vector<PlacedCluster>& placed, Crest crest) {
-    std::vector<ZeroPieces> pieces(placed.size());
-    in_parallel(placed.size(),
-                [&](std::size_t c) { ClusterRidges(placed[c], crest.sign).find(pieces[c]); });
-    return pieces;
-}
-
-RidgeCandidates find_ridge_candidates(const ExtractorData& data,
-                                      const std::vector<PlacedCluster>& placed, Crest crest) {
-    RidgeCandidates found =
-        trace_zeros(data, crest.kind, kLeastRidgeLength / SharpLength::kMostWeight,
-                    find_ridge_pieces(placed, crest));
+RidgeCandidates find_ridge_candidates(const ExtractorData& data, Crest crest) {
+    RidgeCandidates found = find_zero_lines<ClusterRidges>(
+        data, crest.kind, kLeastRidgeLength / kMostSharpness, crest.sign);
     std::vector<Polyline>& lines = found.lines.lines;
     lines.erase(std::remove_if(lines.begin(), lines.end(),
                                [&](const Polyline& line) {

@@ -8,7 +8,7 @@
 namespace laplacian_lines {
 
 /// Over which a ridge is sharp somewhere, in D; the sharper, the shorter it may be, see
-/// SharpLength.
+/// kMostSharpness.
 constexpr float kLeastRidgeLength = 0.04f;
 
 /// On which side of the surface an edge is one.
@@ -25,12 +25,7 @@ constexpr Crest kConvexCrest{LineKind::Ridge, 1}, kConcaveCrest{LineKind::Valley
 /// and none that is too short however sharp.
 using RidgeCandidates = ZeroLines;
 
-/// Their pieces before they are joined, in the order of the clusters.
-std::vector<ZeroPieces> find_ridge_pieces(const std::vector<PlacedCluster>& placed, Crest crest);
-
-/// The number of threads does not matter.
-RidgeCandidates find_ridge_candidates(const ExtractorData& data,
-                                      const std::vector<PlacedCluster>& placed, Crest crest);
+RidgeCandidates find_ridge_candidates(const ExtractorData& data, Crest crest);
 
 /// Makes the gradient of each point of the candidates the angle of the edge there, in degrees, and
 /// moves the points to its middle. The angle is that by which the surface turns across the line

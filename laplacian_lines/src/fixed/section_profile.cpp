@@ -15,11 +15,11 @@ constexpr float kDegrees = 57.29577951308232f;
 constexpr std::size_t kMostSteps = 4096;  // a section may run around a form that is smaller
 
 /// A point of the surface and its normal, of any length.
-struct Place {
+struct SurfacePoint {
     Eigen::Vector3f position, normal;
 };
 
-Place between(const VertexRecord& a, const VertexRecord& b, float t) {
+SurfacePoint between(const VertexRecord& a, const VertexRecord& b, float t) {
     return {(1 - t) * position_of(a) + t * position_of(b),
             (1 - t) * normal_of(a) + t * normal_of(b)};
 }
@@ -35,9 +35,8 @@ struct Plane {
 
 /// The plane of a section, moved and turned so little that it clearly crosses the side that it
 /// begins on: not at an end of it, nor along it.
-Plane crossing_plane(const SectionProbe::Section& section, const VertexRecord& a,
-                     const VertexRecord& b) {
-    const Place from = between(a, b, 0), to = between(a, b, 1);
+Plane crossing_plane(const Section& section, const VertexRecord& a, const VertexRecord& b) {
+    const SurfacePoint from = between(a, b, 0), to = between(a, b, 1);
     const Eigen::Vector3f edge = to.position - from.position;
     const float length = length_of(edge);
     Plane plane = {section.point, unit(section.normal.cross(section.across))};
@@ -69,7 +68,7 @@ TriangleSide beyond(const TriangleGraph& graph, const TriangleSide& side) {
 
 /// Where the plane leaves the triangle that it enters by a side; that side becomes the one by which
 /// it leaves.
-Place leave(const TriangleGraph& graph, const Plane& plane, TriangleSide& at) {
+SurfacePoint leave(const TriangleGraph& graph, const Plane& plane, TriangleSide& at) {
     const auto height = [&](unsigned next) { return plane.height(record_at(graph, at, next)); };
     const bool is_by_next = (height(2) < 0) == (height(0) < 0);
     at.k = (at.k + (is_by_next ? 1 : 2)) % 3;
@@ -77,43 +76,6 @@ Place leave(const TriangleGraph& graph, const Plane& plane, TriangleSide& at) {
     const float t = fall != 0 ? std::clamp(begin / fall, 0.f, 1.f) : 0.5f;
     return between(record_at(graph, at, 0), record_at(graph, at, 1), t);
 }
-
-}  // namespace
-
-void SectionProbe::measure(const Section& section, float reach, SectionProfile& profile) const {
-    const Plane plane = crossing_plane(section, record_at(graph_, section.side, 0),
-                                       record_at(graph_, section.side, 1));
-    TriangleSide at[2] = {section.side, beyond(graph_, section.side)};
-    Place next[2];
-    float along[2] = {0, 0};
-    for (int k = 0; k < 2; ++k)
-        if (exists(at[k])) {
-            next[k] = leave(graph_, plane, at[k]);
-            along[k] = dot(next[k].position - section.point, section.across);
-        }
-    // Which of the two triangles is on the positive side.
-    const bool is_first = along[0] > along[1];
-    const Eigen::Vector3f up = unit(section.normal);
-    for (int k = 0; k < 2; ++k) {
-        const bool is_positive = (k == 0) == is_first;
-        const Eigen::Vector3f forward = is_positive ? section.across : -section.across;
-        SectionProfile::Side& side = profile.sides_[is_positive];
-        side.assign(1, {0, 0, section.point});
-        while (exists(at[k])) {
-            const SectionProfile::Place& last = side.back();
-            const float distance = last.distance + length_of(next[k].position - last.position);
-            const float angle = sign_ *
-                                arc_tangent(dot(next[k].normal, forward), dot(next[k].normal, up)) *
-                                kDegrees;
-            side.push_back({distance, angle, next[k].position});
-            if (distance >= reach || side.size() > kMostSteps) break;
-            at[k] = beyond(graph_, at[k]);
-            if (exists(at[k])) next[k] = leave(graph_, plane, at[k]);
-        }
-    }
-}
-
-namespace {
 
 /// Calls read(a, b, t) with the neighbours of a place among others and its share of the distance
 /// between them.
@@ -129,6 +91,40 @@ auto interpolate(const Side& side, float distance, Read read) {
 }
 
 }  // namespace
+
+void SectionProfile::measure(const TriangleGraph& graph, const Section& section, float sign,
+                             float reach) {
+    const Plane plane = crossing_plane(section, record_at(graph, section.side, 0),
+                                       record_at(graph, section.side, 1));
+    TriangleSide at[2] = {section.side, beyond(graph, section.side)};
+    SurfacePoint next[2];
+    float along[2] = {0, 0};
+    for (int k = 0; k < 2; ++k)
+        if (exists(at[k])) {
+            next[k] = leave(graph, plane, at[k]);
+            along[k] = dot(next[k].position - section.point, section.across);
+        }
+    // Which of the two triangles is on the positive side.
+    const bool is_first = along[0] > along[1];
+    const Eigen::Vector3f up = unit(section.normal);
+    for (int k = 0; k < 2; ++k) {
+        const bool is_positive = (k == 0) == is_first;
+        const Eigen::Vector3f forward = is_positive ? section.across : -section.across;
+        Side& side = sides_[is_positive];
+        side.assign(1, {0, 0, section.point});
+        while (exists(at[k])) {
+            const Place& last = side.back();
+            const float distance = last.distance + length_of(next[k].position - last.position);
+            const float angle = sign *
+                                arc_tangent(dot(next[k].normal, forward), dot(next[k].normal, up)) *
+                                kDegrees;
+            side.push_back({distance, angle, next[k].position});
+            if (distance >= reach || side.size() > kMostSteps) break;
+            at[k] = beyond(graph, at[k]);
+            if (exists(at[k])) next[k] = leave(graph, plane, at[k]);
+        }
+    }
+}
 
 float SectionProfile::angle(float distance) const {
     const float angle = interpolate(

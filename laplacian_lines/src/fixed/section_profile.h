@@ -8,11 +8,22 @@
 
 namespace laplacian_lines {
 
+/// A point on a side of a triangle, and a plane through it. Local coordinates.
+struct Section {
+    TriangleSide side;
+    Eigen::Vector3f point, normal;  ///< of the surface; the normal has any length
+    Eigen::Vector3f across;         ///< in the plane, tangential, unit, to the positive side
+};
+
 /// How the surface turns along its section with a plane, to both sides of a point. Keeps its
 /// capacity. Distances are along the section, local; to the one side they are negative. Angles are
 /// those of the normal against the point's, degrees, and rise where the surface is convex.
 class SectionProfile {
 public:
+    /// Walks over the surface from triangle to triangle, as far as `reach` to both sides, if it
+    /// does not end before. `sign` is what angles are multiplied by: −1 for concave edges.
+    void measure(const TriangleGraph& graph, const Section& section, float sign, float reach);
+
     /// Beyond the ends of the section the surface goes on without a turn.
     float angle(float distance) const;
     Eigen::Vector3f position(float distance) const;
@@ -20,7 +31,6 @@ public:
     float middle(float reach) const;
 
 private:
-    friend class SectionProbe;
     struct Place {
         float distance;  // to its side, not negative
         float angle;     // positive where the surface is convex, to either side
@@ -31,28 +41,6 @@ private:
     const Side& side(float distance) const { return sides_[distance < 0 ? 0 : 1]; }
 
     Side sides_[2];
-};
-
-/// Walks over the surface from triangle to triangle. Thread-safe.
-class SectionProbe {
-public:
-    /// The graph is kept by reference. `sign` is what angles are multiplied by: −1 for concave
-    /// edges.
-    explicit SectionProbe(const TriangleGraph& graph, float sign = 1)
-        : graph_(graph), sign_(sign) {}
-
-    /// A point on a side of a triangle, and the plane through it. Local coordinates.
-    struct Section {
-        TriangleSide side;
-        Eigen::Vector3f point, normal;  ///< of the surface; the normal has any length
-        Eigen::Vector3f across;         ///< in the plane, tangential, unit, to the positive side
-    };
-    /// As far as `reach` to both sides, if the surface does not end before.
-    void measure(const Section& section, float reach, SectionProfile& profile) const;
-
-private:
-    const TriangleGraph& graph_;
-    const float sign_;
 };
 
 }  // namespace laplacian_lines

@@ -37,8 +37,6 @@ struct TriangleGraph {
     const VertexRecord* records = nullptr;  ///< those of the extractor's data
     std::unique_ptr<Node[]> triangles;      ///< cluster by cluster
     std::uint32_t count = 0;
-    /// Triangles that stand for one measured triangle of a subdivided scan.
-    std::uint32_t subdivision = 1;
 
     Eigen::Vector3f position(std::uint32_t triangle, unsigned corner) const {
         return Eigen::Map<const Eigen::Vector3f>(

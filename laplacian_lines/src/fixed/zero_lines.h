@@ -2,11 +2,15 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "fixed/triangle_graph.h"
 #include "laplacian_lines/line_set.h"
+#include "system/parallel.h"
 
 namespace laplacian_lines {
 
@@ -26,23 +30,65 @@ struct ZeroLines {
 
 /// A zero on an edge between two vertices of the mesh.
 struct Zero {
-    std::uint64_t edge;  ///< edge_key()
+    std::uint64_t edge;
     ZeroLines::Form form;
 };
 
-/// `a` is the smaller number of a vertex in the mesh.
-inline std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
-    return std::uint64_t(a) << 32 | b;
-}
-
-/// A piece of a line in a triangle.
-struct ZeroPiece {
-    Zero ends[2];
-};
+/// In a triangle, between zeros on two of its sides.
+using ZeroPiece = std::array<Zero, 2>;
 using ZeroPieces = std::vector<ZeroPiece>;
+
+/// What there is at one end of an edge, from which a zero between its ends is made.
+struct ZeroEnd {
+    float function;        ///< whose zero it is
+    Eigen::Vector3f bend;  ///< as ZeroLines::Form has them
+    float value;
+};
+
+/// The piece in a triangle of a cluster at some corners of which, not at all, the function is
+/// negative. `ends(a, b)` is a pair of ZeroEnd for two vertices of the cluster.
+template <class Ends>
+ZeroPiece zero_piece(const PlacedCluster& placed, unsigned triangle, const bool is_negative[3],
+                     const Ends& ends) {
+    const auto& corners = placed.triangle(triangle).corners;
+    ZeroPiece piece{};
+    std::size_t found = 0;
+    for (unsigned k = 0; k < 3; ++k) {
+        if (is_negative[k] == is_negative[(k + 1) % 3]) continue;
+        // the same, but for the side, from the triangles on both sides
+        unsigned a = corners[k], b = corners[(k + 1) % 3];
+        if (placed.vertices[b] < placed.vertices[a]) std::swap(a, b);
+        const std::pair<ZeroEnd, ZeroEnd> of = ends(a, b);
+        const float fa = std::abs(of.first.function), sum = fa + std::abs(of.second.function);
+        const float t = sum > 0 ? fa / sum : 0.5f;
+        const VertexRecord &p = placed.records[a], &q = placed.records[b];
+        piece[found++] = {std::uint64_t(placed.vertices[a]) << 32 | placed.vertices[b],
+                          {(1 - t) * position_of(p) + t * position_of(q),
+                           (1 - t) * normal_of(p) + t * normal_of(q),
+                           (1 - t) * of.first.bend + t * of.second.bend,
+                           {placed.first_triangle + triangle, k},
+                           (1 - t) * of.first.value + t * of.second.value}};
+    }
+    return piece;
+}
 
 /// Joins pieces to lines of at least this length, in D. `pieces`: in the order of the clusters.
 ZeroLines trace_zeros(const ExtractorData& data, LineKind kind, float least_length,
                       const std::vector<ZeroPieces>& pieces);
+
+/// Of all clusters: Cluster(placed, more...) has add(triangle, pieces), which appends that in one
+/// triangle, if there is one. Any number of threads gives the same.
+template <class Cluster, class... More>
+ZeroLines find_zero_lines(const ExtractorData& data, LineKind kind, float least_length,
+                          const More&... more) {
+    const std::vector<PlacedCluster> placed = place_clusters(data);
+    std::vector<ZeroPieces> pieces(placed.size());
+    in_parallel(placed.size(), [&](std::size_t c) {
+        const Cluster cluster(placed[c], more...);
+        for (unsigned t = 0; t < placed[c].cluster->triangle_count; ++t)
+            cluster.add(t, pieces[c]);
+    });
+    return trace_zeros(data, kind, least_length, pieces);
+}
 
 }  // namespace laplacian_lines

@@ -27,10 +27,9 @@ Eigen::AlignedBox3d bounding_box(std::size_t count, PointOf point_of) {
 /// Of the corners of triangles.
 inline Eigen::AlignedBox3d bounding_box(const std::vector<Eigen::Vector3d>& positions,
                                         const std::vector<Triangle>& triangles) {
-    return bounding_box(3 * triangles.size(),
-                        [&](std::size_t corner) -> const Eigen::Vector3d& {
-                            return positions[triangles[corner / 3][corner % 3]];
-                        });
+    return bounding_box(3 * triangles.size(), [&](std::size_t corner) -> const Eigen::Vector3d& {
+        return positions[triangles[corner / 3][corner % 3]];
+    });
 }
 
 }  // namespace laplacian_lines

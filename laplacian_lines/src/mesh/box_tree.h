@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -64,6 +65,19 @@ inline Eigen::AlignedBox3f local_box() {
     return {Eigen::Vector3f::Constant(-1), Eigen::Vector3f::Constant(1)};
 }
 
+/// Around a box in local coordinates, with room of `reach` and for the rounding of floats, which
+/// is less than 1e-7 there.
+inline Eigen::AlignedBox3f box_around(const Eigen::AlignedBox3d& box, double reach) {
+    const Eigen::Vector3f more = Eigen::Vector3f::Constant(float(reach) + 1e-7f);
+    return {box.min().cast<float>() - more, box.max().cast<float>() + more};
+}
+
+/// The same around a straight line.
+inline Eigen::AlignedBox3f box_around(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                                      double reach) {
+    return box_around(Eigen::AlignedBox3d(a.cwiseMin(b), a.cwiseMax(b)), reach);
+}
+
 /// Four boxes, tested together. At first empty.
 template <int Dim>
 class FourBoxes {
@@ -118,9 +132,9 @@ public:
     using Box = Eigen::AlignedBox<float, Dim>;
 
     BoxTree() = default;
-    /// Holds box_of(i) for all i in `order`, which outlives the tree.
+    /// Holds box_of(i) for all i in `order`.
     template <class BoxOf>
-    BoxTree(const std::vector<std::uint32_t>& order, BoxOf box_of) : order_(&order) {
+    BoxTree(std::vector<std::uint32_t> order, BoxOf box_of) : order_(std::move(order)) {
         const auto add_level = [&](std::size_t count, auto box_at) {
             auto level = large_array<Fours>((count + kFan - 1) / kFan);
             for_each_element(level.size(), [&](std::size_t node) {
@@ -129,20 +143,41 @@ public:
             });
             levels_.push_back(std::move(level));
         };
-        if (order.empty()) return;
-        add_level(order.size(), [&](std::size_t i) { return box_of(order[i]); });
+        if (order_.empty()) return;
+        add_level(order_.size(), [&](std::size_t i) { return box_of(order_[i]); });
         while (levels_.back().size() > 1) {
             const std::vector<Fours>& below = levels_.back();
             add_level(below.size(), [&](std::size_t node) { return below[node].bounds(); });
         }
     }
+    /// In their order along a curve that fills `bounds`.
+    template <class BoxOf>
+    static BoxTree along_curve(std::vector<std::uint32_t> numbers, const Box& bounds,
+                               BoxOf box_of) {
+        std::vector<std::uint32_t> order = order_along_curve<Dim>(
+            numbers.size(), bounds, [&](std::uint32_t i) -> Eigen::Matrix<float, Dim, 1> {
+                return box_of(numbers[i]).center();
+            });
+        for (std::uint32_t& i : order)
+            i = numbers[i];
+        return {std::move(order), box_of};
+    }
+    /// Of the numbers below `count`.
+    template <class BoxOf>
+    static BoxTree along_curve(std::size_t count, const Box& bounds, BoxOf box_of) {
+        std::vector<std::uint32_t> numbers(count);
+        std::iota(numbers.begin(), numbers.end(), 0u);
+        return along_curve(std::move(numbers), bounds, box_of);
+    }
+
+    const std::vector<std::uint32_t>& order() const { return order_; }
 
     /// Calls visit(number) for the elements whose boxes meet `box`, which it may make smaller,
     /// until it returns false; false if it did.
     template <class Visit>
     bool visit(const Box& box, Visit visit) const {
         return levels_.empty() ||
-               visit_nodes(top(), 0, box, 0, [&](std::size_t i) { return visit((*order_)[i]); });
+               visit_nodes(top(), 0, box, 0, [&](std::size_t i) { return visit(order_[i]); });
     }
 
     /// Parts of the tree whose boxes meet, or one twice.
@@ -211,7 +246,7 @@ private:
         }
     }
 
-    const std::vector<std::uint32_t>* order_ = nullptr;
+    std::vector<std::uint32_t> order_;
     std::vector<std::vector<Fours>> levels_;
 };
 

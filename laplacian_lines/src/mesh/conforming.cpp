@@ -3,16 +3,15 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
 
 #include "mesh/bounding_box.h"
 #include "mesh/box_tree.h"
-#include "mesh/corner_table.h"
-#include "mesh/equal_positions.h"
-#include "mesh/stitching.h"
+#include "mesh/sides_by_edge.h"
+#include "system/disjoint_sets.h"
+#include "system/equal_elements.h"
 
 namespace laplacian_lines {
 namespace {
@@ -24,50 +23,49 @@ constexpr double kPrecision = 0x1p-22;
 // Of the diagonal. With coarser coordinates there is no form left, and all would be at one place.
 constexpr double kWorstPrecision = 1e-3;
 
-using Side = std::array<std::uint32_t, 2>;  // places, ascending: first vertices there
+struct Side {
+    std::uint32_t from, to;
+    std::uint32_t third;  // corner of the triangle
+};
 
-Side side_of(std::uint32_t a, std::uint32_t b) {
-    return {std::min(a, b), std::max(a, b)};
-}
-
-/// The sides of triangles that only one triangle has.
-std::vector<Side> find_border_sides(const std::vector<Triangle>& triangles, std::size_t vertices) {
-    const CornerTable table(triangles, vertices);
-    std::vector<Side> sides;
-    for (std::uint32_t side = 0; side < table.side_count(); ++side)
-        if (table.across(side) == CornerTable::kBorder)
-            sides.push_back(side_of(begin_of(triangles, side), end_of(triangles, side)));
-    return sides;
+/// Sides on which no other triangle lies, by edge.
+std::vector<Side> find_borders(const std::vector<Triangle>& triangles, std::size_t vertices) {
+    using Sides = std::vector<Side>;
+    const auto add = [&](const std::uint32_t* begin, const std::uint32_t* end, Sides& found) {
+        if (end - begin > 1) return;
+        const Triangle& t = triangles[*begin / 3];
+        const unsigned k = *begin % 3;
+        found.push_back({t[k], t[(k + 1) % 3], t[(k + 2) % 3]});
+    };
+    const auto parts = visit_edges<Sides>(
+        3 * triangles.size(), vertices,
+        [&](std::uint32_t side) { return edge_of(triangles, side); }, add);
+    Sides borders;
+    for (const Sides& part : parts)
+        borders.insert(borders.end(), part.begin(), part.end());
+    return borders;
 }
 
 /// Cuts of sides: the vertices on each, from its first end to its second.
-using Cuts = std::map<Side, std::vector<std::uint32_t>>;
+using Cuts = std::map<Edge, std::vector<std::uint32_t>>;
 
-Cuts find_cuts(const std::vector<Vector3d>& positions, const std::vector<Side>& sides,
+Cuts find_cuts(const std::vector<Vector3d>& positions, const std::vector<Edge>& sides,
                const Eigen::AlignedBox3d& box, double precision) {
     const double size = box.diagonal().norm();
-    const auto local = [&](std::uint32_t v) -> Eigen::Vector3f {
-        return ((positions[v] - box.center()) / size).cast<float>();
+    const auto local = [&](std::uint32_t v) -> Vector3d {
+        return (positions[v] - box.center()) / size;
     };
-    const auto box_of = [&](std::uint32_t s) {
-        Eigen::AlignedBox3f around(local(sides[s][0]));
-        around.extend(local(sides[s][1]));
-        // floats round by less than 1e-7 here
-        const Eigen::Vector3f more = Eigen::Vector3f::Constant(float(precision / size) + 1e-7f);
-        return Eigen::AlignedBox3f(around.min() - more, around.max() + more);
-    };
-    const auto order = order_along_curve<3>(
-        sides.size(), local_box(),
-        [&](std::uint32_t s) -> Eigen::Vector3f { return box_of(s).center(); });
-    const BoxTree<3> tree(order, box_of);
+    const auto tree = BoxTree<3>::along_curve(sides.size(), local_box(), [&](std::uint32_t s) {
+        return box_around(local(sides[s][0]), local(sides[s][1]), precision / size);
+    });
     std::vector<std::uint32_t> ends;
-    for (const Side& side : sides)
+    for (const Edge& side : sides)
         ends.insert(ends.end(), side.begin(), side.end());
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     using Found = std::pair<std::uint32_t, std::uint32_t>;  // side, vertex
     const auto find = [&](std::uint32_t i, std::vector<Found>& found) {
-        tree.visit(Eigen::AlignedBox3f(local(ends[i])), [&](std::uint32_t s) {
+        tree.visit(Eigen::AlignedBox3f(local(ends[i]).cast<float>().eval()), [&](std::uint32_t s) {
             if (lies_between(positions, ends[i], sides[s][0], sides[s][1], precision))
                 found.emplace_back(s, ends[i]);
             return true;
@@ -89,36 +87,36 @@ template <class Visit>
 void for_each_part(const Cuts::value_type& cut, Visit visit) {
     std::uint32_t from = cut.first[0];
     for (const std::uint32_t v : cut.second) {
-        visit(side_of(from, v));
+        visit(edge_between(from, v));
         from = v;
     }
-    visit(side_of(from, cut.first[1]));
+    visit(edge_between(from, cut.first[1]));
 }
 
 /// Surfaces that only touch are not cut.
-void keep_joining_cuts(const std::vector<Side>& sides, Cuts& cuts) {
-    std::map<Side, int> counts;
+void keep_joining_cuts(const std::vector<Edge>& sides, Cuts& cuts) {
+    std::map<Edge, int> counts;
     for (const auto& cut : cuts)
-        for_each_part(cut, [&](const Side& part) { ++counts[part]; });
-    for (const Side& side : sides)
+        for_each_part(cut, [&](const Edge& part) { ++counts[part]; });
+    for (const Edge& side : sides)
         if (const auto found = counts.find(side); found != counts.end()) ++found->second;
     for (auto cut = cuts.begin(); cut != cuts.end();) {
         bool joins = false;
-        for_each_part(*cut, [&](const Side& part) { joins = joins || counts[part] > 1; });
+        for_each_part(*cut, [&](const Edge& part) { joins = joins || counts[part] > 1; });
         cut = joins ? std::next(cut) : cuts.erase(cut);
     }
 }
 
 /// Where vertices are, and at places the first vertex that a triangle has.
 struct Places {
-    Places(const std::vector<Vector3d>& positions, const std::vector<Triangle>& triangles)
-        : of_vertex(first_equal_positions(positions)), first_used(positions.size(), kNone) {
+    Places(const std::vector<std::uint32_t>& place_of, const std::vector<Triangle>& triangles)
+        : of_vertex(place_of), first_used(place_of.size(), 0xffffffffu) {
         for (const Triangle& t : triangles)
             for (const std::uint32_t v : t)
                 first_used[of_vertex[v]] = std::min(first_used[of_vertex[v]], v);
     }
-    static constexpr std::uint32_t kNone = 0xffffffffu;
-    std::vector<std::uint32_t> of_vertex, first_used;
+    const std::vector<std::uint32_t>& of_vertex;
+    std::vector<std::uint32_t> first_used;
 };
 
 /// Cut from the corner opposite of each side that is. `sides`: bit k: of the mesh's triangle.
@@ -126,7 +124,7 @@ void cut_triangle(const Triangle& t, unsigned sides, const Places& places, const
                   std::vector<Triangle>& parts) {
     for (unsigned k = 0; k < 3; ++k) {
         const std::uint32_t from = t[k], to = t[(k + 1) % 3], third = t[(k + 2) % 3];
-        const Side side = side_of(places.of_vertex[from], places.of_vertex[to]);
+        const Edge side = edge_between(places.of_vertex[from], places.of_vertex[to]);
         const auto cut = sides >> k & 1 ? cuts.find(side) : cuts.end();
         if (cut == cuts.end()) continue;
         std::vector<std::uint32_t> path = {from};
@@ -142,6 +140,18 @@ void cut_triangle(const Triangle& t, unsigned sides, const Places& places, const
         return;
     }
     parts.push_back(t);
+}
+
+/// Of triangles with the same direction along one edge: whether they are sheets that lie on each
+/// other rather than neighbours that face opposite ways.
+bool are_on_each_other(const Side& a, const Side& b, const std::vector<Vector3d>& positions) {
+    constexpr double kLeastCosine = 0.999;
+    const Vector3d along = positions[a.to] - positions[a.from];
+    const auto across = [&](const Side& side) {
+        const Vector3d to = positions[side.third] - positions[side.from];
+        return (to - to.dot(along) / along.squaredNorm() * along).stableNormalized();
+    };
+    return across(a).dot(across(b)) > kLeastCosine;
 }
 
 }  // namespace
@@ -172,32 +182,69 @@ Precision precision_of(const std::vector<Vector3d>& positions,
     return {of_floats, are_floats ? of_floats : kPrecision * diagonal};
 }
 
-std::size_t make_conforming(const std::vector<Vector3d>& positions,
-                            std::vector<Triangle>& triangles) {
-    if (is_closed(triangles)) return 0;
-    const Places places(positions, triangles);
+bool is_closed(const std::vector<Triangle>& triangles) {
+    std::vector<std::uint64_t> sums(block_count(triangles.size()));
+    in_blocks(triangles.size(), [&](std::size_t begin, std::size_t end) {
+        std::uint64_t sum = 0;
+        for (std::size_t t = begin; t < end; ++t)
+            for (unsigned k = 0; k < 3; ++k) {
+                const std::uint64_t u = triangles[t][k], v = triangles[t][(k + 1) % 3];
+                const std::uint64_t hash = mix_hash(0, std::min(u, v) << 32 | std::max(u, v));
+                sum += u < v ? hash : -hash;
+            }
+        sums[begin / kBlockElements] = sum;
+    });
+    return std::accumulate(sums.begin(), sums.end(), std::uint64_t(0)) == 0;
+}
+
+void make_conforming(const std::vector<Vector3d>& positions,
+                     const std::vector<std::uint32_t>& place_of, std::vector<Triangle>& triangles) {
+    const Places places(place_of, triangles);
     std::vector<Triangle> at_places = triangles;
     for_each_element(at_places.size(), [&](std::size_t t) {
         for (std::uint32_t& v : at_places[t])
-            v = places.of_vertex[v];
+            v = place_of[v];
     });
-    if (is_closed(at_places)) return 0;
-    const std::vector<Side> sides = find_border_sides(at_places, positions.size());
+    if (is_closed(at_places)) return;
+    std::vector<Edge> borders;
+    for (const Side& side : find_borders(at_places, positions.size()))
+        borders.push_back(edge_between(side.from, side.to));
     const Eigen::AlignedBox3d box = bounding_box(positions, triangles);
-    Cuts cuts = find_cuts(positions, sides, box,
+    Cuts cuts = find_cuts(positions, borders, box,
                           precision_of(positions, triangles, box.diagonal().norm()).of_coordinates);
-    keep_joining_cuts(sides, cuts);
-    if (cuts.empty()) return 0;
+    keep_joining_cuts(borders, cuts);
+    if (cuts.empty()) return;
     std::vector<Triangle> result;
     result.reserve(triangles.size() + 2 * cuts.size());
-    std::size_t cut = 0;
-    for (const Triangle& t : triangles) {
-        const std::size_t before = result.size();
+    for (const Triangle& t : triangles)
         cut_triangle(t, 7, places, cuts, result);
-        cut += result.size() > before + 1;
-    }
     triangles = std::move(result);
-    return cut;
+}
+
+std::vector<std::uint32_t> stitch_cuts(const std::vector<Vector3d>& positions,
+                                       const std::vector<std::uint32_t>& place_of,
+                                       const std::vector<Triangle>& triangles) {
+    const std::vector<Side> borders = find_borders(triangles, positions.size());
+    const auto places_of = [&](std::uint32_t i) {
+        return edge_between(place_of[borders[i].from], place_of[borders[i].to]);
+    };
+    using Pairs = std::vector<std::pair<Side, Side>>;
+    const auto add = [&](const std::uint32_t* begin, const std::uint32_t* end, Pairs& found) {
+        if (end - begin == 2) found.emplace_back(borders[begin[0]], borders[begin[1]]);
+    };
+    DisjointSets sets(positions.size());
+    bool any = false;
+    for (const Pairs& part : visit_edges<Pairs>(borders.size(), positions.size(), places_of, add))
+        for (auto [a, b] : part) {
+            if (place_of[a.from] == place_of[b.to])
+                std::swap(b.from, b.to);
+            else if (are_on_each_other(a, b, positions))
+                continue;
+            sets.unite(a.from, b.from);
+            sets.unite(a.to, b.to);
+            any = true;
+        }
+    return any ? sets.take_roots() : std::vector<std::uint32_t>();
 }
 
 }  // namespace laplacian_lines

@@ -21,11 +21,23 @@ struct Precision {
 Precision precision_of(const std::vector<Eigen::Vector3d>& positions,
                        const std::vector<Triangle>& triangles, double diagonal);
 
+/// Whether each edge is passed equally often in both directions, by sums of 64-bit hashes.
+bool is_closed(const std::vector<Triangle>& triangles);
+
 /// Cuts triangles on borders where vertices of other borders lie on their sides, within the
 /// precision of the coordinates, if one of the parts is a side of another triangle: programs of
 /// solids leave such T-junctions, at which neighbours would not know each other. Neither adds nor
-/// moves vertices. Returns how many triangles were cut.
-std::size_t make_conforming(const std::vector<Eigen::Vector3d>& positions,
-                            std::vector<Triangle>& triangles);
+/// moves vertices. `place_of`: first_equal_positions().
+void make_conforming(const std::vector<Eigen::Vector3d>& positions,
+                     const std::vector<std::uint32_t>& place_of, std::vector<Triangle>& triangles);
+
+/// Texture seams and triangle soups cut closed surfaces open: where two triangles meet, each has
+/// vertices of its own at equal coordinates. Closes pairs of borders that run between the same
+/// places, where no third one does; holes and sheets that touch or lie on each other stay.
+/// Returns for each vertex the one that counts for it, with the smallest number; nothing if no
+/// vertex has another. `place_of`: first_equal_positions(). `triangles` have an area.
+std::vector<std::uint32_t> stitch_cuts(const std::vector<Eigen::Vector3d>& positions,
+                                       const std::vector<std::uint32_t>& place_of,
+                                       const std::vector<Triangle>& triangles);
 
 }  // namespace laplacian_lines

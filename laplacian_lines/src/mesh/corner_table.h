@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "laplacian_lines/triangle_mesh.h"
+#include "mesh/sides_by_edge.h"
 
 namespace laplacian_lines {
 
@@ -39,13 +39,5 @@ private:
     std::vector<std::uint32_t> across_;
     std::size_t edge_count_;
 };
-
-/// The corner that a side begins at, and ends at.
-inline std::uint32_t begin_of(const std::vector<Triangle>& triangles, std::uint32_t side) {
-    return triangles[side / 3][side % 3];
-}
-inline std::uint32_t end_of(const std::vector<Triangle>& triangles, std::uint32_t side) {
-    return triangles[side / 3][(side + 1) % 3];
-}
 
 }  // namespace laplacian_lines

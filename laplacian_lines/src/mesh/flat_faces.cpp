@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/flat_faces.h"
 
-#include <numeric>
-
-#include "mesh/corner_table.h"
 #include "system/disjoint_sets.h"
 #include "system/parallel.h"
 
@@ -17,10 +14,8 @@ constexpr double kLargeFace = 0.02, kShareOfLarge = 0.33;
 
 class FlatTriangles {
 public:
-    explicit FlatTriangles(const PreparedMesh& mesh)
-        : table_(mesh.triangles, mesh.size()),
-          normals_(mesh.triangles.size()),
-          areas_(mesh.triangles.size()) {
+    FlatTriangles(const PreparedMesh& mesh, const CornerTable& sides)
+        : table_(sides), normals_(mesh.triangles.size()), areas_(mesh.triangles.size()) {
         for_each_element(areas_.size(), [&](std::size_t i) {
             const Eigen::Vector3d area = area_vector(mesh, mesh.triangles[i]);
             areas_[i] = area.norm();
@@ -31,14 +26,14 @@ public:
     /// Those for which is_counted(triangle), as a share of all.
     template <class IsCounted>
     double area_share(IsCounted is_counted) const {
-        std::vector<double> counted(areas_.size(), 0);
-        for_each_element(areas_.size(), [&](std::size_t i) {
-            if (is_counted(std::uint32_t(i))) counted[i] = areas_[i];
-        });
-        return std::accumulate(counted.begin(), counted.end(), 0.0) / all();
+        return sum_of(areas_.size(),
+                      [&](std::size_t i) { return is_counted(std::uint32_t(i)) ? areas_[i] : 0; }) /
+               all();
     }
 
-    double all() const { return std::accumulate(areas_.begin(), areas_.end(), 0.0); }
+    double all() const {
+        return sum_of(areas_.size(), [&](std::size_t i) { return areas_[i]; });
+    }
     double area(std::uint32_t triangle) const { return areas_[triangle]; }
 
     /// Until test(neighbour) is true of a neighbour in the triangle's plane.
@@ -53,22 +48,21 @@ public:
     }
 
 private:
-    const CornerTable table_;
+    const CornerTable& table_;
     std::vector<Eigen::Vector3d> normals_;
     std::vector<double> areas_;
 };
 
 }  // namespace
 
-bool is_made(const PreparedMesh& mesh) {
-    const FlatTriangles flat(mesh);
-    return flat.area_share([&](std::uint32_t i) {
-        return flat.any_beside(i, [](std::uint32_t) { return true; });
-    }) > kMadeShare;
+double flat_share(const PreparedMesh& mesh, const CornerTable& sides) {
+    const FlatTriangles flat(mesh, sides);
+    return flat.area_share(
+        [&](std::uint32_t i) { return flat.any_beside(i, [](std::uint32_t) { return true; }); });
 }
 
-bool has_large_faces(const PreparedMesh& mesh) {
-    const FlatTriangles flat(mesh);
+bool has_large_faces(const PreparedMesh& mesh, const CornerTable& sides) {
+    const FlatTriangles flat(mesh, sides);
     DisjointSets faces(mesh.triangles.size());
     for (std::uint32_t i = 0; i < faces.size(); ++i)
         flat.any_beside(i, [&](std::uint32_t other) {

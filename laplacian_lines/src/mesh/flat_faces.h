@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "mesh/corner_table.h"
 #include "mesh/prepared_mesh.h"
 
 namespace laplacian_lines {
@@ -10,13 +11,17 @@ namespace laplacian_lines {
 /// machined parts and lofts 0.29 and more.
 constexpr double kMadeShare = 0.27;
 
-/// Whether a mesh was made, not measured: much of its area is in faces of several triangles, so
-/// that angles between triangles are those of the form, however small. The number of threads does
-/// not matter.
-bool is_made(const PreparedMesh& mesh);
+/// Of the area, in faces of several triangles. The number of threads does not matter.
+double flat_share(const PreparedMesh& mesh, const CornerTable& sides);
+
+/// Whether a mesh was made, not measured, so that angles between triangles are those of the form,
+/// however small.
+inline bool is_made(const PreparedMesh& mesh, const CornerTable& sides) {
+    return flat_share(mesh, sides) > kMadeShare;
+}
 
 /// Whether a third of a mesh's area and more is in flat faces that are large against it: plates,
 /// housings; not terraces of voxels.
-bool has_large_faces(const PreparedMesh& mesh);
+bool has_large_faces(const PreparedMesh& mesh, const CornerTable& sides);
 
 }  // namespace laplacian_lines

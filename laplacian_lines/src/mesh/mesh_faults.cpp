@@ -2,6 +2,7 @@
 #include "laplacian_lines/mesh_faults.h"
 
 #include <cmath>
+#include <sstream>
 
 namespace laplacian_lines {
 namespace {
@@ -29,6 +30,7 @@ std::vector<MeshFault> faults_of(const MeshReport& report) {
         faults.push_back(MeshFault::InsideOut);
     else if (turned > kLeastTurned)
         faults.push_back(MeshFault::Turned);
+    if (report.coordinate_step > 0) faults.push_back(MeshFault::Quantized);
     if (report.kernel_bend > kMostBend) faults.push_back(MeshFault::CoarseKernel);
     return faults;
 }
@@ -51,6 +53,13 @@ std::string describe(MeshFault fault, const MeshReport& report) {
                    std::to_string(report.triangles) +
                    " triangles face inwards, or unlike their neighbours. They are drawn the right "
                    "way round; MeshLab's filter Re-Orient All Faces Coherently mends the mesh.";
+        case MeshFault::Quantized: {
+            std::ostringstream message;
+            message << "Coordinates are multiples of " << report.coordinate_step
+                    << ", a tenth of the triangles' edges or more, so smooth parts are drawn as "
+                       "steps: export the mesh with more digits.";
+            return message.str();
+        }
         case MeshFault::CoarseKernel:
             return "Most of the surface bends within the kernel, so its features are blurred: run "
                    "Compute Laplacian Lines with a smaller Kernel Size.";

@@ -7,7 +7,6 @@
 
 #include "mesh/bounding_box.h"
 #include "mesh/triangles_at.h"
-#include "system/parallel.h"
 
 namespace laplacian_lines {
 namespace {
@@ -29,9 +28,9 @@ public:
         : positions_(positions), within_(within) {}
 
     bool operator()(std::uint32_t middle, std::uint32_t a, std::uint32_t b) const {
-        return a != b && ((positions_[a] + positions_[b]) / 2 - positions_[middle])
-                                 .cwiseAbs()
-                                 .maxCoeff() <= within_;
+        return a != b &&
+               ((positions_[a] + positions_[b]) / 2 - positions_[middle]).cwiseAbs().maxCoeff() <=
+                   within_;
     }
 
 private:
@@ -55,23 +54,6 @@ bool is_midpoint(std::uint32_t vertex, const std::vector<Triangle>& triangles,
         for (const std::uint32_t b : ring)
             if (a < b && a != vertex && b != vertex && is_middle(vertex, a, b)) return true;
     return false;
-}
-
-/// Whether a triangle is a quarter for all that its neighbours tell: two of its corners are
-/// midpoints, or all three.
-bool may_be_quarter(const Triangle& t, const std::vector<Triangle>& triangles,
-                    const MidpointTest& is_middle) {
-    const auto around =
-        collect<std::uint32_t>(triangles.size(), [&](std::uint32_t i, auto& found) {
-            const Triangle& other = triangles[i];
-            if (has(other, t[0]) || has(other, t[1]) || has(other, t[2])) found.push_back(i);
-        });
-    std::vector<Triangle> near;
-    for (const std::uint32_t i : around)
-        near.push_back(triangles[i]);
-    return std::count_if(t.begin(), t.end(), [&](std::uint32_t v) {
-               return is_midpoint(v, near, is_middle);
-           }) >= 2;
 }
 
 /// Puts quarters together, from one corner of a large triangle to the next.
@@ -171,8 +153,8 @@ private:
     void add(const Triangle& large, const Triangle& quarters, std::uint32_t inner) {
         const auto first = std::min_element(quarters.begin(), quarters.end());
         const auto k = std::size_t(first - quarters.begin());
-        joined_.push_back({{large[k], large[(k + 1) % 3], large[(k + 2) % 3]},
-                           std::min(*first, inner)});
+        joined_.push_back(
+            {{large[k], large[(k + 1) % 3], large[(k + 2) % 3]}, std::min(*first, inner)});
     }
 
     bool set_role(std::uint32_t v, Role role) {
@@ -209,9 +191,9 @@ private:
     const std::vector<Triangle>& triangles_;
     const MidpointTest& is_middle_;
     const TrianglesAt at_;
-    std::vector<Role> role_;                         // by vertex
+    std::vector<Role> role_;                          // by vertex
     std::vector<std::uint8_t> is_done_, is_reached_;  // by triangle
-    std::vector<std::uint32_t> corners_;             // to go on from
+    std::vector<std::uint32_t> corners_;              // to go on from
     std::vector<Joined> joined_;
     std::vector<Midpoint> midpoints_;
 };
@@ -221,10 +203,7 @@ private:
 bool undo_subdivision(const Positions& positions, std::vector<Triangle>& triangles,
                       std::vector<Midpoint>& midpoints) {
     if (triangles.empty() || triangles.size() % 4 != 0) return false;
-    const MidpointTest is_middle(positions,
-                                 kRounding * largest_coordinate(positions, triangles));
-    for (const std::size_t some : {std::size_t(0), triangles.size() / 2})
-        if (!may_be_quarter(triangles[some], triangles, is_middle)) return false;
+    const MidpointTest is_middle(positions, kRounding * largest_coordinate(positions, triangles));
     QuarterJoiner joiner(positions, triangles, is_middle);
     if (!joiner.run()) return false;
     triangles = joiner.take_triangles();

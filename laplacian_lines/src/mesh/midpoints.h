@@ -19,7 +19,7 @@ struct Midpoint {
 /// Undoes a midpoint subdivision: where all triangles are quarters of larger ones, cut at the
 /// middles of their sides, puts these in their place, in the order of their first quarters, and
 /// appends the vertices that are left out. Else changes nothing and returns false: at once unless
-/// the number of triangles is a multiple of four, for most others by what is around two of them.
+/// the number of triangles is a multiple of four.
 bool undo_subdivision(const std::vector<Eigen::Vector3d>& positions,
                       std::vector<Triangle>& triangles, std::vector<Midpoint>& midpoints);
 

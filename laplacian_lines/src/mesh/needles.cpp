@@ -4,24 +4,18 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
-#include <utility>
 
-#include "system/parallel.h"
+#include "mesh/sides_by_edge.h"
 
 namespace laplacian_lines {
 namespace {
 
 using Eigen::Vector3d;
 using Positions = std::vector<Vector3d>;
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
 constexpr double kSlender = 0.01;     // height over the longest side
 constexpr double kNeedle = 1e-4;      // height, D
 constexpr double kLeastCosine = 0.9;  // of the angle between triangles that are folded flat
-
-Edge edge_of(std::uint32_t a, std::uint32_t b) {
-    return std::minmax(a, b);
-}
 
 /// Begins with the ends of the longest side.
 Triangle from_longest(const Positions& positions, const Triangle& t) {
@@ -52,7 +46,7 @@ bool has_three_corners(const Triangle& t) {
 
 std::uint32_t third_of(const Triangle& t, const Edge& edge) {
     return *std::find_if(t.begin(), t.end(),
-                         [&](std::uint32_t v) { return v != edge.first && v != edge.second; });
+                         [&](std::uint32_t v) { return v != edge[0] && v != edge[1]; });
 }
 
 }  // namespace
@@ -68,24 +62,24 @@ void unfold_needles(const Positions& positions, std::vector<Triangle>& triangles
     std::vector<bool> is_end(positions.size());     // of one, as few vertices are
     for (const std::uint32_t n : needles) {
         const Triangle needle = from_longest(positions, triangles[n]);
-        at[edge_of(needle[0], needle[1])];
+        at[edge_between(needle[0], needle[1])];
         is_end[needle[0]] = is_end[needle[1]] = true;
     }
     for (std::uint32_t t = 0; t < triangles.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t a = triangles[t][k], b = triangles[t][(k + 1) % 3];
             if (!is_end[a] || !is_end[b] || !has_three_corners(triangles[t])) continue;
-            const auto edge = at.find(edge_of(a, b));
+            const auto edge = at.find(edge_between(a, b));
             if (edge != at.end()) edge->second.push_back(t);
         }
     std::vector<bool> is_changed(triangles.size());
     for (const std::uint32_t n : needles) {
         const auto [a, b, v] = from_longest(positions, triangles[n]);
-        const std::vector<std::uint32_t>& two = at[edge_of(a, b)];
+        const std::vector<std::uint32_t>& two = at[edge_between(a, b)];
         if (two.size() != 2 || is_changed[two[0]] || is_changed[two[1]]) continue;
         const std::uint32_t other = two[two[0] == n];
         const Triangle whole = triangles[other];
-        const std::uint32_t o = third_of(whole, edge_of(a, b));
+        const std::uint32_t o = third_of(whole, edge_between(a, b));
         Triangle parts[2] = {whole, whole};  // the way round of the neighbour
         std::replace(parts[0].begin(), parts[0].end(), b, v);
         std::replace(parts[1].begin(), parts[1].end(), a, v);

@@ -24,43 +24,6 @@ constexpr double kMostOpen = 0.1;             // |Σ area vectors| / area
 constexpr double kLeastVolume = 0.02, kLeastVolumeOfClosed = 1e-6;
 constexpr std::uint32_t kNone = 0xffffffffu;
 
-/// Sets of triangles, each the same way round as its root or the other.
-class Patches {
-public:
-    explicit Patches(std::size_t triangles) : parent_(triangles), is_turned_(triangles, 0) {
-        std::iota(parent_.begin(), parent_.end(), 0u);
-    }
-    std::uint32_t root(std::uint32_t t) {
-        if (parent_[parent_[t]] == parent_[t]) return parent_[t];
-        std::uint32_t root = t;
-        std::uint8_t turned = 0;
-        while (parent_[root] != root)
-            turned ^= is_turned_[root], root = parent_[root];
-        while (parent_[t] != root) {
-            const std::uint8_t here = is_turned_[t];
-            is_turned_[t] = turned;
-            turned ^= here;
-            t = std::exchange(parent_[t], root);
-        }
-        return root;
-    }
-    /// Against the root; after root().
-    bool is_turned(std::uint32_t t) const { return is_turned_[t]; }
-    /// False if that contradicts what was said before.
-    bool unite(std::uint32_t a, std::uint32_t b, bool is_turned) {
-        const std::uint32_t root_a = root(a), root_b = root(b);
-        const std::uint8_t turned = is_turned_[a] ^ is_turned_[b] ^ std::uint8_t(is_turned);
-        if (root_a == root_b) return !turned;
-        parent_[std::max(root_a, root_b)] = std::min(root_a, root_b);
-        is_turned_[std::max(root_a, root_b)] = turned;
-        return true;
-    }
-
-private:
-    std::vector<std::uint32_t> parent_;
-    std::vector<std::uint8_t> is_turned_;  // against the parent
-};
-
 /// A connected surface, with the orientation of its first triangle.
 struct Body {
     Eigen::AlignedBox3d box;
@@ -105,17 +68,18 @@ public:
     void find() {
         const std::vector<Ray> rays = find_rays();
         if (rays.empty()) return;
-        const Boxes triangles(mesh_.triangles.size(), [&](std::uint32_t t) {
-            Box box;
-            if (!may_hold_[body_of_[t]]) return box;
-            for (const std::uint32_t v : mesh_.triangles[t])
-                box.extend(mesh_.positions[v].cast<float>().eval());
-            return box;
-        });
+        const auto triangles =
+            BoxTree<3>::along_curve(mesh_.triangles.size(), local_box(), [&](std::uint32_t t) {
+                Box box;
+                if (!may_hold_[body_of_[t]]) return box;
+                for (const std::uint32_t v : mesh_.triangles[t])
+                    box.extend(mesh_.positions[v].cast<float>().eval());
+                return box;
+            });
         in_parallel(rays.size(), [&](std::size_t i) {
             const Ray& ray = rays[i];
             std::map<std::uint32_t, int> crossings;
-            triangles.tree.visit(ray.box, [&](std::uint32_t t) {
+            triangles.visit(ray.box, [&](std::uint32_t t) {
                 if (may_be_in(ray.body, body_of_[t]) && is_pierced(t, ray.from))
                     ++crossings[body_of_[t]];
                 return true;
@@ -127,17 +91,6 @@ public:
 
 private:
     using Box = BoxTree<3>::Box;
-
-    struct Boxes {
-        template <class BoxOf>
-        Boxes(std::size_t count, BoxOf box_of)
-            : order(order_along_curve<3>(
-                  count, local_box(),
-                  [&](std::uint32_t i) -> Eigen::Vector3f { return box_of(i).center(); })),
-              tree(order, box_of) {}
-        const std::vector<std::uint32_t> order;
-        const BoxTree<3> tree;
-    };
 
     struct Ray {  // along x
         Vector3d from;
@@ -152,9 +105,10 @@ private:
 
     /// Of the bodies that may be in others.
     std::vector<Ray> find_rays() {
-        const Boxes boxes(bodies_.size(), [&](std::uint32_t b) {
-            return bodies_[b].is_closed ? Box(bodies_[b].box.cast<float>()) : Box();
-        });
+        const auto boxes =
+            BoxTree<3>::along_curve(bodies_.size(), local_box(), [&](std::uint32_t b) {
+                return bodies_[b].is_closed ? Box(bodies_[b].box.cast<float>()) : Box();
+            });
         std::vector<std::uint32_t> first(bodies_.size(), kNone);
         for (std::size_t t = mesh_.triangles.size(); t-- > 0;)
             first[body_of_[t]] = std::uint32_t(t);
@@ -165,7 +119,7 @@ private:
             const auto& p = mesh_.positions;
             Ray ray{(p[t[0]] + p[t[1]] + p[t[2]]) / 3, b, {}};
             const Box at(ray.from.cast<float>().eval());
-            boxes.tree.visit(at, [&](std::uint32_t other) {
+            boxes.visit(at, [&](std::uint32_t other) {
                 if (!may_be_in(b, other)) return true;
                 may_hold_[other] = true;
                 ray.box.extend(at).extend(Eigen::Vector3f(float(bodies_[other].box.max().x()),
@@ -222,11 +176,14 @@ void turn_together(std::vector<Body>& bodies) {
 class Turning {
 public:
     explicit Turning(PreparedMesh& mesh)
-        : mesh_(mesh), table_(mesh.triangles, mesh.size()), patches_(mesh.triangles.size()) {}
+        : mesh_(mesh),
+          table_(mesh.triangles, mesh.size()),
+          body_of_(mesh.triangles.size(), kNone),
+          is_turned_(mesh.triangles.size(), 0) {}
 
     void run() {
-        const std::vector<std::uint32_t> torn = unite_neighbours();
-        find_bodies(torn);
+        find_bodies();
+        measure_bodies();
         for (Body& body : bodies_)
             body.decide();
         if (std::any_of(bodies_.begin(), bodies_.end(),
@@ -238,28 +195,39 @@ public:
     }
 
 private:
-    /// Calls visit(side, other) for each edge of two triangles.
-    template <class Visit>
-    void for_each_pair(Visit visit) const {
-        for (std::uint32_t side = 0; side < table_.side_count(); ++side)
-            if (table_.has_neighbour(side) && side < table_.across(side))
-                visit(side, table_.across(side));
-    }
-
     /// Whether two triangles disagree about the outside at their edge.
     bool is_opposed(std::uint32_t side, std::uint32_t other) const {
         return begin_of(mesh_.triangles, side) == begin_of(mesh_.triangles, other);
     }
 
-    /// Returns a triangle of each contradiction.
-    std::vector<std::uint32_t> unite_neighbours() {
-        std::vector<std::uint32_t> torn;
-        for_each_pair([&](std::uint32_t side, std::uint32_t other) {
-            if (!is_same(side / 3, other / 3) &&
-                !patches_.unite(side / 3, other / 3, is_opposed(side, other)))
-                torn.push_back(side / 3);
-        });
-        return torn;
+    /// What edges of two triangles connect.
+    void find_bodies() {
+        std::vector<std::uint32_t> open;
+        for (std::uint32_t first = 0; first < body_of_.size(); ++first) {
+            if (body_of_[first] != kNone) continue;
+            body_of_[first] = std::uint32_t(bodies_.size());
+            bodies_.emplace_back();
+            open = {first};
+            while (!open.empty()) {
+                const std::uint32_t triangle = open.back();
+                open.pop_back();
+                for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side)
+                    if (table_.has_neighbour(side)) reach_across(side, open);
+            }
+        }
+    }
+
+    void reach_across(std::uint32_t side, std::vector<std::uint32_t>& open) {
+        const std::uint32_t here = side / 3, there = table_.across(side) / 3;
+        if (is_same(here, there)) return;
+        const bool is_turned = bool(is_turned_[here]) != is_opposed(side, table_.across(side));
+        if (body_of_[there] == kNone) {
+            body_of_[there] = body_of_[here];
+            is_turned_[there] = is_turned;
+            open.push_back(there);
+        } else if (bool(is_turned_[there]) != is_turned) {
+            bodies_[body_of_[here]].is_orientable = false;
+        }
     }
 
     /// Whether neighbours have the same third corner.
@@ -268,18 +236,9 @@ private:
         return t[0] + t[1] + t[2] == u[0] + u[1] + u[2];
     }
 
-    void find_bodies(const std::vector<std::uint32_t>& torn) {
-        const std::vector<Triangle>& triangles = mesh_.triangles;
-        std::vector<std::uint32_t> number(triangles.size(), kNone);
-        body_of_.resize(triangles.size());
-        for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-            const std::uint32_t root = patches_.root(t);  // no later triangle
-            if (root == t) number[t] = std::uint32_t(bodies_.size()), bodies_.emplace_back();
-            body_of_[t] = number[root];
-            bodies_[body_of_[t]].add(mesh_, triangles[t], patches_.is_turned(t) ? -1 : 1);
-        }
-        for (const std::uint32_t t : torn)
-            bodies_[body_of_[t]].is_orientable = false;
+    void measure_bodies() {
+        for (std::uint32_t t = 0; t < body_of_.size(); ++t)
+            bodies_[body_of_[t]].add(mesh_, mesh_.triangles[t], is_turned_[t] ? -1 : 1);
         std::size_t borders = 0;
         for (std::uint32_t side = 0; side < table_.side_count(); ++side) {
             if (table_.across(side) != CornerTable::kBorder) continue;
@@ -292,14 +251,16 @@ private:
 
     bool turns(std::uint32_t t) const {
         const Body& body = bodies_[body_of_[t]];
-        return body.is_orientable && body.is_turned != patches_.is_turned(t);
+        return body.is_orientable && body.is_turned != bool(is_turned_[t]);
     }
 
     void turn() {
         std::size_t opposed = 0, turned = 0;
-        for_each_pair([&](std::uint32_t side, std::uint32_t other) {
-            opposed += is_opposed(side, other) == (turns(side / 3) == turns(other / 3));
-        });
+        for (std::uint32_t side = 0; side < table_.side_count(); ++side) {
+            const std::uint32_t other = table_.across(side);
+            if (table_.has_neighbour(side) && side < other)
+                opposed += is_opposed(side, other) == (turns(side / 3) == turns(other / 3));
+        }
         for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
             if (turns(t)) std::swap(mesh_.triangles[t][1], mesh_.triangles[t][2]), ++turned;
         mesh_.report.opposed_share = double(opposed) / double(table_.edge_count());
@@ -308,9 +269,9 @@ private:
 
     PreparedMesh& mesh_;
     const CornerTable table_;
-    Patches patches_;
     std::vector<Body> bodies_;
-    std::vector<std::uint32_t> body_of_;  // by triangle
+    std::vector<std::uint32_t> body_of_;   // by triangle
+    std::vector<std::uint8_t> is_turned_;  // against the first of its body
 };
 
 }  // namespace

@@ -3,15 +3,17 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <string>
 
 #include "laplacian_lines/error.h"
 #include "mesh/bounding_box.h"
 #include "mesh/conforming.h"
+#include "mesh/equal_positions.h"
+#include "mesh/flat_faces.h"
 #include "mesh/needles.h"
 #include "mesh/orientation.h"
-#include "mesh/stitching.h"
 #include "system/large_array.h"
 #include "system/parallel.h"
 
@@ -23,6 +25,12 @@ constexpr std::uint32_t kUnused = 0xffffffffu;
 constexpr double kLeastSine = 1e-12;
 // Diagonals for which D² and 1/D², floats in the field, stay far from overflow and underflow.
 constexpr double kLeastDiagonal = 1e-15, kLargestDiagonal = 1e15;
+
+// Of the mean edge: coarser coordinates bend smooth surfaces by some degrees at every edge.
+constexpr double kCoarseStep = 0.1;
+constexpr std::size_t kFewTriangles = 1000;  // which are a form by themselves, on whatever grid
+// Steps; where no triangle is larger, voxels or hexahedra are the form.
+constexpr double kCell = 2.5;
 
 // Squares of lengths in this range can be squared again.
 constexpr double kLeastPlain = 1e-60, kLargestPlain = 1e60;
@@ -68,23 +76,9 @@ void check_indices(const TriangleMesh& mesh) {
 
 std::vector<Triangle> usable_triangles(const Positions& positions,
                                        const std::vector<Triangle>& triangles) {
-    const std::size_t count = triangles.size();
-    std::vector<std::uint8_t> is_usable(count);
-    std::vector<std::size_t> kept(block_count(count) + 1, 0);
-    in_blocks(count, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t)
-            kept[begin / kBlockElements + 1] += is_usable[t] =
-                !is_degenerate(positions, triangles[t]);
+    return collect<Triangle>(triangles.size(), [&](std::uint32_t t, std::vector<Triangle>& usable) {
+        if (!is_degenerate(positions, triangles[t])) usable.push_back(triangles[t]);
     });
-    for (std::size_t b = 1; b < kept.size(); ++b)
-        kept[b] += kept[b - 1];
-    std::vector<Triangle> usable = large_array<Triangle>(kept.back());
-    in_blocks(count, [&](std::size_t begin, std::size_t end) {
-        std::size_t place = kept[begin / kBlockElements];
-        for (std::size_t t = begin; t < end; ++t)
-            if (is_usable[t]) usable[place++] = triangles[t];
-    });
-    return usable;
 }
 
 void expect_surface(const std::vector<Triangle>& usable) {
@@ -95,8 +89,9 @@ void expect_surface(const std::vector<Triangle>& usable) {
 }
 
 /// Has triangles use the vertices that count, whose triangles now are neighbours.
-void stitch(const TriangleMesh& mesh, PreparedMesh& prepared) {
-    prepared.representative = stitch_cuts(mesh.positions, prepared.triangles);
+void stitch(const TriangleMesh& mesh, const std::vector<std::uint32_t>& place_of,
+            PreparedMesh& prepared) {
+    prepared.representative = stitch_cuts(mesh.positions, place_of, prepared.triangles);
     const std::vector<std::uint32_t>& representative = prepared.representative;
     if (representative.empty()) return;
     for (std::uint32_t v = 0; v < representative.size(); ++v)
@@ -143,49 +138,24 @@ bool drop_lost_triangles(PreparedMesh& prepared) {
     return true;
 }
 
-struct VertexCounts {
-    std::size_t used = 0, non_finite = 0, unreferenced = 0;
-
-    void add(const VertexCounts& other) {
-        used += other.used, non_finite += other.non_finite, unreferenced += other.unreferenced;
-    }
-};
-
-/// For each block of vertices, given which are used, the counts before it; the totals come last.
-std::vector<VertexCounts> count_vertices(const Positions& positions,
-                                         const std::vector<std::uint32_t>& number) {
-    std::vector<VertexCounts> counts(block_count(positions.size()) + 1);
-    in_blocks(positions.size(), [&](std::size_t begin, std::size_t end) {
-        VertexCounts& of_block = counts[begin / kBlockElements + 1];
-        for (std::size_t v = begin; v < end; ++v)
-            ++(!positions[v].allFinite() ? of_block.non_finite
-               : number[v] == kUnused    ? of_block.unreferenced
-                                         : of_block.used);
-    });
-    for (std::size_t b = 1; b < counts.size(); ++b)
-        counts[b].add(counts[b - 1]);
-    return counts;
-}
-
 void keep_used_vertices(const TriangleMesh& mesh, PreparedMesh& prepared) {
     std::vector<std::uint32_t> number = large_array(mesh.positions.size(), kUnused);
     for_each_element(prepared.triangles.size(), [&](std::size_t t) {
         for (std::uint32_t v : prepared.triangles[t])
             __atomic_store_n(&number[v], 0, __ATOMIC_RELAXED);
     });
-    const std::vector<VertexCounts> counts = count_vertices(mesh.positions, number);
-    prepared.report.non_finite_vertices = counts.back().non_finite;
-    prepared.report.unreferenced_vertices = counts.back().unreferenced;
-    prepared.original_vertex = large_array<std::uint32_t>(counts.back().used);
-    in_blocks(number.size(), [&](std::size_t begin, std::size_t end) {
-        std::size_t next = counts[begin / kBlockElements].used;
-        for (std::size_t v = begin; v < end; ++v) {
-            if (number[v] == kUnused) continue;
-            number[v] = std::uint32_t(next);
-            prepared.original_vertex[next++] = std::uint32_t(v);
-        }
-    });
+    prepared.original_vertex =
+        collect<std::uint32_t>(number.size(), [&](std::uint32_t v, auto& used) {
+            if (number[v] != kUnused) used.push_back(v);
+        });
+    prepared.report.non_finite_vertices = std::size_t(sum_of(
+        number.size(), [&](std::size_t v) { return mesh.positions[v].allFinite() ? 0. : 1.; }));
+    prepared.report.unreferenced_vertices =
+        number.size() - prepared.original_vertex.size() - prepared.report.non_finite_vertices;
     if (prepared.original_vertex.size() == number.size()) return;
+    for_each_element(prepared.original_vertex.size(), [&](std::size_t i) {
+        number[prepared.original_vertex[i]] = std::uint32_t(i);
+    });
     for_each_element(prepared.triangles.size(), [&](std::size_t t) {
         for (std::uint32_t& v : prepared.triangles[t])
             v = number[v];
@@ -216,6 +186,51 @@ void to_local_coordinates(const TriangleMesh& mesh, PreparedMesh& prepared) {
     });
 }
 
+/// Of which the extents of all triangles' sides are multiples, by Euclid's algorithm; 0 if it is
+/// less than `least`.
+double common_step(const TriangleMesh& mesh, const PreparedMesh& prepared, double least) {
+    constexpr double kOff = 0.01;  // of a step, besides what rounding to floats adds up to
+    const double rounding =
+        0x1p-23 * (prepared.centre.cwiseAbs().maxCoeff() + prepared.diagonal / 2);
+    double step = 0;
+    const auto add = [&](double extent) {
+        while (extent > std::max(rounding, kOff * step)) {
+            if (step == 0) step = extent;
+            const double times = std::round(extent / step), off = std::abs(extent - times * step);
+            if (off <= kOff * step + times * rounding) return;
+            extent = step;
+            step = off;
+        }
+    };
+    for (const Triangle& t : prepared.triangles)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Eigen::Vector3d side = mesh.positions[prepared.original_vertex[t[(k + 1) % 3]]] -
+                                         mesh.positions[prepared.original_vertex[t[k]]];
+            for (const double x : side)
+                add(std::abs(x));
+            if (step > 0 && step < least) return 0;
+        }
+    return step;
+}
+
+/// MeshReport::coordinate_step.
+double coarse_step(const TriangleMesh& mesh, const PreparedMesh& prepared) {
+    if (prepared.triangles.size() < kFewTriangles) return 0;
+    const double edge = prepared.mean_edge * prepared.diagonal;
+    const double step = common_step(mesh, prepared, kCoarseStep * edge);
+    if (step == 0) return 0;
+    const auto is_in_cell = [&](const Triangle& t) {
+        const Eigen::Vector3d &a = prepared.positions[t[0]], &b = prepared.positions[t[1]],
+                              &c = prepared.positions[t[2]];
+        const Eigen::Vector3d extent = a.cwiseMax(b).cwiseMax(c) - a.cwiseMin(b).cwiseMin(c);
+        return extent.maxCoeff() * prepared.diagonal < kCell * step;
+    };
+    const std::vector<Triangle>& triangles = prepared.triangles;
+    const bool is_grid = std::all_of(triangles.begin(), triangles.end(), is_in_cell);
+    const CornerTable sides(triangles, prepared.size());
+    return is_grid || has_large_faces(prepared, sides) ? 0 : step;
+}
+
 }  // namespace
 
 Eigen::Vector3d area_vector(const PreparedMesh& mesh, const Triangle& t) {
@@ -226,7 +241,8 @@ Eigen::Vector3d area_vector(const PreparedMesh& mesh, const Triangle& t) {
 std::vector<Triangle> conforming_triangles(const TriangleMesh& mesh) {
     check_indices(mesh);
     std::vector<Triangle> triangles = usable_triangles(mesh.positions, mesh.triangles);
-    if (!triangles.empty()) make_conforming(mesh.positions, triangles);
+    if (!is_closed(triangles))
+        make_conforming(mesh.positions, first_equal_positions(mesh.positions), triangles);
     return triangles;
 }
 
@@ -239,8 +255,11 @@ PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const Undoing
     prepared.triangles = usable_triangles(mesh.positions, mesh.triangles);
     expect_surface(prepared.triangles);
     prepared.report.degenerate_triangles = mesh.triangles.size() - prepared.triangles.size();
-    make_conforming(mesh.positions, prepared.triangles);
-    if (cuts == Cuts::Stitched) stitch(mesh, prepared);
+    if (!is_closed(prepared.triangles)) {
+        const std::vector<std::uint32_t> place_of = first_equal_positions(mesh.positions);
+        make_conforming(mesh.positions, place_of, prepared.triangles);
+        if (cuts == Cuts::Stitched) stitch(mesh, place_of, prepared);
+    }
     undo_subdivisions(mesh.positions, undoing, prepared);
     do {
         keep_used_vertices(mesh, prepared);
@@ -257,6 +276,7 @@ PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, const Undoing& un
                           Facing facing) {
     PreparedMesh prepared = prepare_geometry(mesh, cuts, undoing, facing);
     prepared.mean_edge = mean_edge(prepared.positions, prepared.triangles);
+    prepared.report.coordinate_step = coarse_step(mesh, prepared);
     return prepared;
 }
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <numeric>
 
 #include "mesh/prepared_mesh.h"
 #include "mesh/vertex_ranges.h"
-#include "system/large_array.h"
-#include "system/parallel.h"
+#include "system/buckets.h"
 
 namespace laplacian_lines {
 namespace {
@@ -24,69 +22,29 @@ void find_masses(PreparedMesh& mesh) {
         });
 }
 
-/// Sorts triangles by their smallest vertex, which becomes the first; stable. First by ranges of
-/// vertices, block by block, then within each range.
-class TriangleSort {
-public:
-    explicit TriangleSort(PreparedMesh& mesh)
-        : triangles_(mesh.triangles),
-          blocks_(block_count(triangles_.size())),
-          ranges_(mesh.size() / kRange + 1),
-          places_(ranges_ * blocks_ + 1, 0) {}
-
-    void run() {
-        in_blocks(triangles_.size(), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                Triangle& t = triangles_[i];
-                std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-                ++place(t, begin);
-            }
-        });
-        std::exclusive_scan(places_.begin(), places_.end(), places_.begin(), 0u);
-        const std::vector<std::uint32_t> starts = starts_of_ranges();
-        std::vector<Triangle> by_range = large_array<Triangle>(triangles_.size());
-        in_blocks(triangles_.size(), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                by_range[place(triangles_[i], begin)++] = triangles_[i];
-        });
-        in_parallel(ranges_,
-                    [&](std::size_t r) { sort_range(r, by_range, starts[r], starts[r + 1]); });
-    }
-
-private:
-    static constexpr std::uint32_t kRange = 4096;  // vertices
-
-    std::uint32_t& place(const Triangle& t, std::size_t begin_of_block) {
-        return places_[t[0] / kRange * blocks_ + begin_of_block / kBlockElements];
-    }
-
-    std::vector<std::uint32_t> starts_of_ranges() const {
-        std::vector<std::uint32_t> starts;
-        for (std::size_t r = 0; r <= ranges_; ++r)
-            starts.push_back(places_[r * blocks_]);
-        return starts;
-    }
-
-    void sort_range(std::size_t r, const std::vector<Triangle>& by_range, std::uint32_t begin,
-                    std::uint32_t end) {
-        std::vector<std::uint32_t> next(kRange, 0);
-        for (std::uint32_t i = begin; i < end; ++i)
-            ++next[by_range[i][0] - r * kRange];
-        std::exclusive_scan(next.begin(), next.end(), next.begin(), begin);
-        for (std::uint32_t i = begin; i < end; ++i)
-            triangles_[next[by_range[i][0] - r * kRange]++] = by_range[i];
-    }
-
-    std::vector<Triangle>& triangles_;
-    const std::size_t blocks_, ranges_;
-    std::vector<std::uint32_t> places_;  // by range, then by block
-};
-
 template <class T>
 void permute(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
     std::vector<T> permuted = large_array<T>(values.size());
     for_each_element(order.size(), [&](std::size_t i) { permuted[i] = values[order[i]]; });
     values.swap(permuted);
+}
+
+/// Sorts triangles by their smallest vertex, which becomes the first; stable.
+void sort_triangles(PreparedMesh& mesh) {
+    constexpr std::uint32_t kRange = 4096;  // vertices
+    std::vector<Triangle>& triangles = mesh.triangles;
+    for_each_element(triangles.size(), [&](std::size_t i) {
+        Triangle& t = triangles[i];
+        std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    });
+    Buckets ranges = sort_in_buckets(triangles.size(), mesh.size() / kRange + 1,
+                                     [&](std::uint32_t i) { return triangles[i][0] / kRange; });
+    ranges.for_each([&](std::size_t, std::uint32_t* begin, std::uint32_t* end) {
+        std::stable_sort(begin, end, [&](std::uint32_t a, std::uint32_t b) {
+            return triangles[a][0] < triangles[b][0];
+        });
+    });
+    permute(triangles, ranges.numbers);
 }
 
 }  // namespace
@@ -102,7 +60,7 @@ SpatialTree sort_in_space(PreparedMesh& mesh) {
         for (std::uint32_t& v : mesh.triangles[t])
             v = place[v];
     });
-    TriangleSort(mesh).run();
+    sort_triangles(mesh);
     find_masses(mesh);
     return tree;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "rules/opacity.h"
+#include "rules/runs.h"
 
 namespace laplacian_lines {
 namespace {
@@ -80,24 +81,11 @@ void LinePartFinder::judge(const LineRules& rules, double reach) {
 void LinePartFinder::collectParts() {
     parts_.clear();
     const auto is_seen = [&](std::size_t piece) {
-        piece %= pieces_;
         return seen_[piece] > 0 || seen_[piece + 1] > 0;
     };
-    std::size_t first = 0;  // a closed line is followed from where it is not seen, once around
-    if (closed_) {
-        while (first < pieces_ && is_seen(first))
-            ++first;
-        if (first == pieces_) {
-            parts_.push_back({0, pieces_, true});
-            return;
-        }
-    }
-    for (std::size_t i = first; i < first + pieces_; ++i) {
-        const std::size_t begin = i;
-        while (i < first + pieces_ && is_seen(i))
-            ++i;
-        if (i > begin) parts_.push_back({begin, i - begin, false});
-    }
+    for_each_run(pieces_, closed_, is_seen, [&](std::size_t begin, std::size_t count) {
+        parts_.push_back({begin, count, closed_ && count == pieces_});
+    });
 }
 
 }  // namespace laplacian_lines

@@ -11,16 +11,17 @@ namespace {
 /// D; for the least curvature.
 constexpr float kLeastApparent = 0.02f;
 
+/// 1 at 50, falling: fitted to the number of lines on the Stanford bunny and dragon, igea and the
+/// armadillo.
+double threshold_factor(double detail) {
+    const double x = detail / 50 - 1;  // -1..1
+    return std::exp2(x < 0 ? 3.5 * std::pow(-x, 1.6) : -5 * std::pow(x, 1.3));
+}
+
 }  // namespace
 
 int smoothing_passes(double deviation) {
     return int(std::lround(2 * deviation * deviation));  // a pass has a variance of 1/2
-}
-
-double threshold_factor(double detail) {
-    // Fitted to the number of lines on the Stanford bunny and dragon, igea and the armadillo.
-    const double x = detail / 50 - 1;  // -1..1
-    return std::exp2(x < 0 ? 3.5 * std::pow(-x, 1.6) : -5 * std::pow(x, 1.3));
 }
 
 /// Lengths and curvatures vary less than slopes, by the square root; angles by the eighth.

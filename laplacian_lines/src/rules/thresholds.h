@@ -5,9 +5,6 @@
 
 namespace laplacian_lines {
 
-/// 1 at 50, falling.
-double threshold_factor(double detail);
-
 /// A style's thresholds, with its detail applied. Nothing else reads the detail.
 struct Thresholds {
     explicit Thresholds(const LineStyle& style);

@@ -11,9 +11,15 @@ using Eigen::Vector3d;
 // How many vertices of other surfaces may lie where an edge ends.
 constexpr std::size_t kAside = 4;
 
+/// Of the vertices that edges have.
 const VertexPlaces& CreaseMarker::places() const {
-    return *places_.get(
-        [&] { return std::make_unique<const VertexPlaces>(mesh_, vertices_of_edges(mesh_)); });
+    return *places_.get([&] {
+        std::vector<bool> are_used(mesh_.positions.size());
+        for (std::size_t e = 0; e < mesh_.edge_count(); ++e)
+            for (const std::uint32_t v : mesh_.edges[e].vertices)
+                are_used[v] = true;
+        return std::make_unique<const VertexPlaces>(mesh_, are_used);
+    });
 }
 
 /// Other vertices may lie on the way.

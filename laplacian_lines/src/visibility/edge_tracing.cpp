@@ -192,8 +192,8 @@ private:
         return line;
     }
 
-    /// A smooth line that is merely crossed in the picture has no point there in space, which would
-    /// hinder smoothing.
+    /// Smooths between exact points and open ends. A smooth line that is merely crossed in the
+    /// picture has no point there in space, which would hinder that.
     void finish_in_space(SightLine& line) const {
         const auto is_passed = [&](const SightPoint& point) {
             return !point.is_exact && point.node >= first_crossing_;
@@ -203,7 +203,14 @@ private:
         const auto from = points.begin() + !line.closed, to = points.end() - !line.closed;
         points.erase(std::remove_if(from, to, is_passed), to);
         if (line.closed) points.push_back(SightPoint(points.front()));
-        smooth_between_exact(smoothing_passes(options_.line_smoothing), line);
+        const std::size_t last = points.size() - 1;
+        if (last < 2) return;
+        smooth_binomially(
+            points.size(), line.closed, smoothing_passes(options_.line_smoothing),
+            [&](std::size_t i) -> Vector3d& { return points[i].position; },
+            [&](std::size_t i) {
+                return points[i].is_exact || (!line.closed && (i == 0 || i == last));
+            });
     }
 
     const SightSegments& all_;
@@ -219,18 +226,6 @@ private:
 void trace_edges(const SightSegments& all, const std::vector<SightPiece>& pieces,
                  const SightOptions& options, std::vector<SightLine>& traced) {
     EdgeTracer(all, pieces, options).trace(traced);
-}
-
-void smooth_between_exact(int passes, SightLine& line) {
-    std::vector<SightPoint>& points = line.points;
-    const std::size_t last = points.size() - 1;
-    if (last < 2) return;
-    smooth_binomially(
-        points.size(), line.closed, passes,
-        [&](std::size_t i) -> Eigen::Vector3d& { return points[i].position; },
-        [&](std::size_t i) {
-            return points[i].is_exact || (!line.closed && (i == 0 || i == last));
-        });
 }
 
 }  // namespace laplacian_lines

@@ -34,12 +34,8 @@ public:
                 dividing.push_back(i);
                 bounds.extend(box_of(i));
             }
-        dividing_ = order_along_curve<2>(
-            dividing.size(), bounds,
-            [&](std::uint32_t i) -> Eigen::Vector2f { return box_of(dividing[i]).center(); });
-        for (std::uint32_t& i : dividing_)
-            i = dividing[i];
-        tree_ = {dividing_, [&](std::uint32_t i) { return box_of(i); }};
+        tree_ = BoxTree<2>::along_curve(std::move(dividing), bounds,
+                                        [&](std::uint32_t i) { return box_of(i); });
     }
 
     std::vector<PictureCrossing> find(const StageProgress& stage) const {
@@ -110,8 +106,7 @@ private:
     }
 
     const SightSegments& all_;
-    std::vector<std::uint32_t> dividing_;  // along a curve
-    BoxTree<2> tree_;                      // of these
+    BoxTree<2> tree_;  // of those that divide
 };
 
 }  // namespace

@@ -15,7 +15,7 @@
 #include "mesh/equal_positions.h"
 #include "mesh/needles.h"
 #include "system/disjoint_sets.h"
-#include "visibility/sight_edges.h"
+#include "system/equal_elements.h"
 #include "visibility/surface_contacts.h"
 #include "visibility/vertex_places.h"
 
@@ -30,6 +30,73 @@ bool is_finite(const TriangleMesh& mesh, const Triangle& t) {
             throw Error(ErrorCode::InvalidMesh, "A triangle names a vertex that is not there.");
         return mesh.positions[v].allFinite();
     });
+}
+
+double height_of(const SightMesh& mesh, const Triangle& t) {
+    const Vector3d &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+    return longest > 0 ? (b - a).cross(c - a).norm() / longest : 0;
+}
+
+template <class Keep>
+void keep_triangles(SightMesh& mesh, Keep keep) {
+    std::vector<std::uint8_t> is_kept(mesh.triangles.size());
+    for_each_element(is_kept.size(), [&](std::size_t t) { is_kept[t] = keep(std::uint32_t(t)); });
+    std::size_t count = 0;
+    for (std::size_t t = 0; t < is_kept.size(); ++t)
+        if (is_kept[t]) mesh.triangles[count++] = mesh.triangles[t];
+    mesh.triangles.resize(count);
+}
+
+void set_edges(EdgeTable table, SightMesh& mesh) {
+    static_cast<EdgeTable&>(mesh) = std::move(table);
+}
+
+Triangle sorted(Triangle t) {
+    std::sort(t.begin(), t.end());
+    return t;
+}
+
+/// For each triangle the first one with the same corners.
+std::vector<std::uint32_t> first_equal_triangles(const std::vector<Triangle>& triangles) {
+    const auto hash_of = [&](std::uint32_t i) {
+        const Triangle t = sorted(triangles[i]);
+        return mix_hash(mix_hash(mix_hash(0, t[0]), t[1]), t[2]);
+    };
+    return first_equals(triangles.size(), hash_of, [&](std::uint32_t a, std::uint32_t b) {
+        return sorted(triangles[a]) == sorted(triangles[b]);
+    });
+}
+
+/// Drops triangles without height, and all but one of those with the same corners.
+void build_edges(SightMesh& mesh) {
+    keep_triangles(
+        mesh, [&](std::uint32_t t) { return height_of(mesh, mesh.triangles[t]) > mesh.precision; });
+    const std::vector<std::uint32_t> first = first_equal_triangles(mesh.triangles);
+    keep_triangles(mesh, [&](std::uint32_t t) { return first[t] == t; });
+    const auto side_of = [&](std::uint32_t i) {
+        return side_between(begin_of(mesh.triangles, i), end_of(mesh.triangles, i), i / 3);
+    };
+    set_edges(gather_edges(3 * mesh.triangles.size(), mesh.positions.size(), side_of), mesh);
+}
+
+/// Adds sides of triangles; `gone` are edges to remove, ascending.
+void change_edges(std::vector<LooseSide> sides, const std::vector<std::uint32_t>& gone,
+                  SightMesh& mesh) {
+    auto next_gone = gone.begin();
+    for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
+        if (next_gone != gone.end() && *next_gone == e) {
+            ++next_gone;
+            continue;
+        }
+        const auto& [from, to] = mesh.edges[e].vertices;
+        for (std::size_t i = 0; i < mesh.side_count(e); ++i) {
+            const SightMesh::Side side = mesh.sides_of(e)[i];
+            sides.push_back({{from, to}, side.triangle, bool(side.is_reversed)});
+        }
+    }
+    const auto side_of = [&](std::uint32_t i) { return sides[i]; };
+    set_edges(gather_edges(sides.size(), mesh.positions.size(), side_of), mesh);
 }
 
 void replace_vertices(const std::vector<std::uint32_t>& by, SightMesh& mesh) {
@@ -141,14 +208,11 @@ void find_on_cuts(const SightMesh& mesh, SurfaceContacts& contacts) {
     const auto is_near = [&](std::uint32_t v) {
         return are_ends[v] || (v < contacts.near_cuts.size() && contacts.near_cuts[v]);
     };
-    const auto box_of = [&](std::uint32_t c) {
-        const std::uint32_t* const ends = contacts.cuts[c].vertices;
-        return box_around(mesh.positions[ends[0]], mesh.positions[ends[1]], mesh.precision);
-    };
-    const auto order = order_along_curve<3>(
-        contacts.cuts.size(), local_box(),
-        [&](std::uint32_t c) -> Eigen::Vector3f { return box_of(c).center(); });
-    const BoxTree<3> cuts(order, box_of);
+    const auto cuts =
+        BoxTree<3>::along_curve(contacts.cuts.size(), local_box(), [&](std::uint32_t c) {
+            const std::uint32_t* const ends = contacts.cuts[c].vertices;
+            return box_around(mesh.positions[ends[0]], mesh.positions[ends[1]], mesh.precision);
+        });
     const auto add_if_on = [&](std::uint32_t v, const std::uint32_t* ends,
                                std::vector<OnEdge>& found) {
         if (lies_between(mesh.positions, v, ends[0], ends[1], mesh.precision))

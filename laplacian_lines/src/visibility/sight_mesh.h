@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "laplacian_lines/triangle_mesh.h"
-#include "visibility/edge_table.h"
 #include "system/parallel.h"
+#include "visibility/edge_table.h"
 
 namespace laplacian_lines {
 

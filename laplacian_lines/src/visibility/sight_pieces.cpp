@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "mesh/box_tree.h"
 
@@ -11,39 +12,24 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The crossings on each segment, in its direction.
-class Divisions {
-public:
-    struct Division {
-        double share;
-        std::uint32_t crossing;
-    };
-
-    Divisions(std::size_t segments, const std::vector<PictureCrossing>& crossings)
-        : begins_(segments + 2, 0), all_(2 * crossings.size()) {
-        for (const PictureCrossing& crossing : crossings)
-            for (const std::uint32_t segment : crossing.segments)
-                ++begins_[segment + 2];
-        for (std::size_t s = 2; s < begins_.size(); ++s)
-            begins_[s] += begins_[s - 1];
-        for (std::uint32_t c = 0; c < crossings.size(); ++c)
-            for (int i = 0; i < 2; ++i)
-                all_[begins_[crossings[c].segments[i] + 1]++] = {crossings[c].shares[i], c};
-        for_each_element(segments, [&](std::size_t s) {
-            std::sort(all_.begin() + begins_[s], all_.begin() + begins_[s + 1],
-                      [](const Division& a, const Division& b) {
-                          return a.share != b.share ? a.share < b.share : a.crossing < b.crossing;
-                      });
-        });
-    }
-
-    const Division* begin(std::uint32_t segment) const { return all_.data() + begins_[segment]; }
-    const Division* end(std::uint32_t segment) const { return all_.data() + begins_[segment + 1]; }
-
-private:
-    std::vector<std::uint32_t> begins_;
-    std::vector<Division> all_;
+/// A crossing on a segment.
+struct Division {
+    std::uint32_t segment;
+    double share;
+    std::uint32_t crossing;
 };
+
+/// By segment, in its direction.
+std::vector<Division> find_divisions(const std::vector<PictureCrossing>& crossings) {
+    std::vector<Division> divisions;
+    for (std::uint32_t c = 0; c < crossings.size(); ++c)
+        for (int i = 0; i < 2; ++i)
+            divisions.push_back({crossings[c].segments[i], crossings[c].shares[i], c});
+    std::sort(divisions.begin(), divisions.end(), [](const Division& a, const Division& b) {
+        return std::tie(a.segment, a.share, a.crossing) < std::tie(b.segment, b.share, b.crossing);
+    });
+    return divisions;
+}
 
 Eigen::Vector2f middle_of(const SightSegments& all, const SightPiece& piece) {
     const SightSegment& segment = all.segments[piece.segment];
@@ -128,7 +114,8 @@ std::uint32_t first_crossing_node(const SightSegments& all) {
 std::vector<SightPiece> find_sight_pieces(const SightSegments& all,
                                           const std::vector<PictureCrossing>& crossings,
                                           const StageProgress& stage) {
-    const Divisions divisions(all.segments.size(), crossings);
+    const std::vector<Division> divisions = find_divisions(crossings);
+    auto division = divisions.begin();
     const std::uint32_t first_crossing = first_crossing_node(all);
     std::vector<SightPiece> pieces;
     for (std::uint32_t s = 0; s < all.segments.size(); ++s) {
@@ -142,8 +129,10 @@ std::vector<SightPiece> find_sight_pieces(const SightSegments& all,
             piece.nodes[0] = node;
             piece.shares[0] = share;
         };
-        for (auto d = divisions.begin(s); d != divisions.end(s); ++d)
-            end_at(first_crossing + d->crossing, d->share);
+        while (division != divisions.end() && division->segment < s)
+            ++division;
+        for (; division != divisions.end() && division->segment == s; ++division)
+            end_at(first_crossing + division->crossing, division->share);
         end_at(segment.points[1], 1);
     }
     decide_runs(all, runs_of(all, first_crossing, pieces), stage, pieces);

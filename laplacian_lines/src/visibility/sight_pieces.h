@@ -52,7 +52,4 @@ void trace_surface_lines(const SightSegments& all, const std::vector<SightPiece>
                          const std::vector<LineSet>& lines, const SightOptions& options,
                          std::vector<SightLine>& traced);
 
-/// Binomial, as smooth_positions(): exact points and open ends stay.
-void smooth_between_exact(int passes, SightLine& line);
-
 }  // namespace laplacian_lines

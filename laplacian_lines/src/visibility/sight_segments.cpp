@@ -1,19 +1,140 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "visibility/sight_segments.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
+#include <utility>
 
-#include "visibility/edge_on_walls.h"
+#include "system/disjoint_sets.h"
 
 namespace laplacian_lines {
 namespace {
 
+using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kCutOff = 1.001 * kLeastDepth;  // edges before it end what is before the eye
 constexpr double kCrestReach = 1e-3;
 constexpr double kFlatCosine = 0.9986;  // of 3 degrees: sheets that go on into each other
+
+/// Faces seen edge-on, within the eye's turn: whether one faces the eye is chance. One that faces
+/// away has a contour before it. One that faces the eye and is tangent to its neighbours has none,
+/// yet the surface drops there: its near edge is a contour as well.
+class EdgeOnWalls {
+public:
+    explicit EdgeOnWalls(const Picture& picture) : picture_(picture), mesh_(picture.mesh()) {
+        find_walls();
+        if (is_wall_.empty()) return;
+        const std::vector<std::uint32_t> edges = edges_of_walls();
+        walls_ = collect<std::uint32_t>(is_wall_.size(), [&](std::uint32_t t, auto& found) {
+            if (is_wall(t)) found.push_back(t);
+        });
+        join_faces(edges);
+        note_folds(edges);
+    }
+
+    /// Whether an edge of two triangles that is not a fold is the near edge of such a face, without
+    /// folds of the face beside it all along.
+    bool drop_at(std::uint32_t edge) const {
+        const SightMesh::Side* sides = mesh_.sides_of(edge);
+        if (mesh_.side_count(edge) != 2 || is_wall(sides[0].triangle) == is_wall(sides[1].triangle))
+            return false;
+        const std::uint32_t wall = sides[is_wall(sides[0].triangle) ? 0 : 1].triangle;
+        if (!recedes(edge, wall)) return false;
+        const auto folds = folds_.find(face_of(wall));
+        return folds == folds_.end() || !cover(folds->second, edge);
+    }
+
+private:
+    bool is_wall(std::uint32_t triangle) const { return !is_wall_.empty() && is_wall_[triangle]; }
+
+    std::uint32_t number_of(std::uint32_t wall) const {
+        return std::uint32_t(std::lower_bound(walls_.begin(), walls_.end(), wall) - walls_.begin());
+    }
+    std::uint32_t face_of(std::uint32_t wall) const { return face_of_[number_of(wall)]; }
+
+    void find_walls() {
+        // The eye that was asked for is within one turn, that turned the other way within two.
+        const double least = 2 * EyeFrame::turn();
+        is_wall_.resize(mesh_.triangles.size());
+        for_each_element(is_wall_.size(), [&](std::size_t t) {
+            const Triangle& corners = mesh_.triangles[t];
+            const Vector3d to_eye = picture_.frame().towards_eye(mesh_.positions[corners[0]]);
+            is_wall_[t] = std::abs(mesh_.normal(std::uint32_t(t)).dot(to_eye)) < least;
+        });
+        if (std::find(is_wall_.begin(), is_wall_.end(), 1) == is_wall_.end()) is_wall_.clear();
+    }
+
+    std::vector<std::uint32_t> edges_of_walls() const {
+        return collect<std::uint32_t>(mesh_.edge_count(), [&](std::uint32_t e,
+                                                              std::vector<std::uint32_t>& found) {
+            const SightMesh::Side *begin = mesh_.sides_of(e), *end = begin + mesh_.side_count(e);
+            if (std::any_of(begin, end, [&](const auto& side) { return is_wall(side.triangle); }))
+                found.push_back(e);
+        });
+    }
+
+    void join_faces(const std::vector<std::uint32_t>& edges) {
+        DisjointSets faces(walls_.size());
+        for (const std::uint32_t e : edges) {
+            if (mesh_.side_count(e) != 2) continue;
+            const std::uint32_t a = mesh_.sides_of(e)[0].triangle,
+                                b = mesh_.sides_of(e)[1].triangle;
+            if (is_wall(a) && is_wall(b) &&
+                mesh_.normal(a).cross(mesh_.normal(b)).norm() < EyeFrame::turn())
+                faces.unite(number_of(a), number_of(b));
+        }
+        face_of_ = faces.take_roots();
+    }
+
+    void note_folds(const std::vector<std::uint32_t>& edges) {
+        for (const std::uint32_t e : edges) {
+            const SightMesh::Side* sides = mesh_.sides_of(e);
+            if (!picture_.is_fold(e)) continue;
+            for (std::size_t i = 0; i < mesh_.side_count(e); ++i)
+                if (is_wall(sides[i].triangle)) folds_[face_of(sides[i].triangle)].push_back(e);
+        }
+    }
+
+    /// Whether a triangle recedes from the eye away from its edge.
+    bool recedes(std::uint32_t edge, std::uint32_t triangle) const {
+        const auto& ends = mesh_.edges[edge].vertices;
+        const Vector3d &a = picture_.vertex(ends[0]), span = picture_.vertex(ends[1]) - a;
+        const Vector3d normal =
+            span.cross(Vector3d::UnitZ()).cross(span);  // to the eye, off the edge
+        const Triangle& t = mesh_.triangles[triangle];
+        return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
+            return v == ends[0] || v == ends[1] || normal.dot(picture_.vertex(v) - a) < 0;
+        });
+    }
+
+    /// Whether edges of one face, which is a line in the picture, lie beside another of its edges
+    /// all along.
+    bool cover(const std::vector<std::uint32_t>& edges, std::uint32_t other) const {
+        const auto at = [&](std::uint32_t e, int end) -> Vector2d {
+            return picture_.vertex(mesh_.edges[e].vertices[end]).head<2>();
+        };
+        const Vector2d a = at(other, 0), span = at(other, 1) - a;
+        std::vector<std::pair<double, double>> parts;  // of the span, from 0 to its squared length
+        for (const std::uint32_t edge : edges)
+            parts.push_back(std::minmax({span.dot(at(edge, 0) - a), span.dot(at(edge, 1) - a)}));
+        std::sort(parts.begin(), parts.end());
+        const double touch = EyeFrame::turn() * span.norm();  // what is so short may be seen end-on
+        double covered = 0;
+        for (const auto& [low, high] : parts)
+            if (low <= covered + touch) covered = std::max(covered, high);
+        return covered >= span.squaredNorm() - touch;
+    }
+
+    const Picture& picture_;
+    const SightMesh& mesh_;
+    std::vector<std::uint8_t> is_wall_;   // by triangle; empty: none is
+    std::vector<std::uint32_t> walls_;    // triangles, ascending
+    std::vector<std::uint32_t> face_of_;  // by number of the wall
+    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> folds_;  // edges, by face
+};
 
 /// What a mesh edge is in a picture.
 class EdgeJudge {
@@ -25,21 +146,20 @@ public:
     bool judge(std::uint32_t edge, SightSegment& segment) const {
         const std::size_t count = mesh_.side_count(edge);
         const bool is_crease = !creases_.empty() && creases_[edge];
-        segment.is_exact = true;
-        segment.is_drawn = true;
-        segment.divides = true;
         if (count == 1) {
             segment.kind = LineKind::Border;
         } else if (picture_.is_fold(edge)) {
             segment.kind = LineKind::Contour;
             segment.is_exact = is_crease || count > 2;
+        } else if (count > 2) {
+            judge_contact(edge, segment);
         } else if (!is_crease && walls_.drop_at(edge)) {
             segment.kind = LineKind::Contour;
             segment.is_exact = segment.divides = false;
         } else {
-            segment.kind = count > 2 && is_joint(edge) ? LineKind::Contour : LineKind::Crease;
-            segment.divides = count > 2;
-            segment.is_drawn = count > 2 ? !goes_on_flat(edge) : is_crease;
+            segment.kind = LineKind::Crease;
+            segment.is_drawn = is_crease;
+            segment.divides = false;
         }
         return segment.is_drawn || segment.divides;
     }
@@ -71,15 +191,14 @@ private:
         return std::abs(mesh_.normal(a).dot(mesh_.normal(b))) > kFlatCosine;
     }
 
-    /// Whether what is seen first on both sides of an edge of several triangles is one plane.
-    bool is_flat(std::uint32_t edge) const {
-        return are_flat(first_at(edge, 1), first_at(edge, -1));
+    /// Of an edge of several triangles. Where what is seen first on both sides is one plane, one
+    /// body goes on, or two touch, flush.
+    void judge_contact(std::uint32_t edge, SightSegment& segment) const {
+        const bool is_flat = are_flat(first_at(edge, 1), first_at(edge, -1));
+        const bool is_one_body = is_flat && is_within_body(edge);
+        segment.kind = is_flat && !is_one_body ? LineKind::Contour : LineKind::Crease;
+        segment.is_drawn = !is_one_body;
     }
-
-    /// Whether two bodies touch at an edge of several triangles, flush.
-    bool is_joint(std::uint32_t edge) const { return is_flat(edge) && !is_within_body(edge); }
-
-    bool goes_on_flat(std::uint32_t edge) const { return is_flat(edge) && is_within_body(edge); }
 
     /// Whether one body is on both sides of it, in the plane that is seen first.
     bool is_within_body(std::uint32_t edge) const {
@@ -112,6 +231,7 @@ void append_edges(const CreaseMarks& creases, SightSegments& all) {
     };
     const auto find = [&](std::uint32_t e, std::vector<SightSegment>& found) {
         SightSegment segment;
+        segment.divides = true;
         if (!judge.judge(e, segment)) return;
         segment.edge = e;
         segment.points[0] = mesh.edges[e].vertices[0];

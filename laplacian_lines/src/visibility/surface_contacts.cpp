@@ -16,6 +16,9 @@ namespace {
 
 using Eigen::Vector3d;
 
+// In D: narrower gaps along borders are cracks of the mesh, which no paper shows.
+constexpr double kCrack = 1e-5;
+
 /// Where a triangle's side meets another's plane: a corner, if both are the same, or between two,
 /// ascending.
 struct CutEnd {
@@ -91,38 +94,28 @@ int common_corners(const Triangle& a, const Triangle& b) {
     return count;
 }
 
-using Spans = std::array<Vector3d, 2>;
-
-Spans spans_from(std::uint32_t corner, const Triangle& t, const SightMesh& mesh) {
-    const std::size_t k = corner == t[0] ? 0 : corner == t[1] ? 1 : 2;
-    const Vector3d& from = mesh.positions[corner];
-    return {mesh.positions[t[(k + 1) % 3]] - from, mesh.positions[t[(k + 2) % 3]] - from};
-}
-
-bool is_over(const Spans& spans, const Vector3d& normal, double least) {
-    return normal.dot(spans[0]) > least && normal.dot(spans[1]) > least;
-}
-
-/// Whether triangles with these sides from their common corner are on both sides of a plane through
-/// it, the other corners farther from it than `reach`.
-bool are_beside(const Spans& a, const Spans& b, const Vector3d& normal, double reach) {
-    const double least = reach * normal.norm();
-    return is_over(a, normal, least) && is_over(b, -normal, least);
-}
-
 /// Whether one of some planes through the common corner of two triangles separates them, as for
 /// nearly all at a vertex with another between them.
 bool are_apart_at_corner(const Triangle& a, const Triangle& b, double reach,
                          const SightMesh& mesh) {
     const std::uint32_t corner = has_corner(b, a[0]) ? a[0] : has_corner(b, a[1]) ? a[1] : a[2];
-    const Spans of_a = spans_from(corner, a, mesh), of_b = spans_from(corner, b, mesh);
-    if (are_beside(of_a, of_b, of_a[0] + of_a[1] - of_b[0] - of_b[1], reach)) return true;
+    const auto spans_of = [&](const Triangle& t) -> std::array<Vector3d, 2> {
+        const std::size_t k = corner == t[0] ? 0 : corner == t[1] ? 1 : 2;
+        const Vector3d& from = mesh.positions[corner];
+        return {mesh.positions[t[(k + 1) % 3]] - from, mesh.positions[t[(k + 2) % 3]] - from};
+    };
+    const auto of_a = spans_of(a), of_b = spans_of(b);
+    const auto separates = [&](const Vector3d& normal) {
+        const double least = reach * normal.norm();
+        return normal.dot(of_a[0]) > least && normal.dot(of_a[1]) > least &&
+               normal.dot(of_b[0]) < -least && normal.dot(of_b[1]) < -least;
+    };
+    if (separates(of_a[0] + of_a[1] - of_b[0] - of_b[1])) return true;
     const Vector3d normal = of_a[0].cross(of_a[1]);
     for (const Vector3d& s : of_a)
         for (const Vector3d& t : of_b) {  // upright in the middle of a gap
             const Vector3d between = normal.cross(s * t.norm() + t * s.norm());
-            if (are_beside(of_a, of_b, between, reach) || are_beside(of_b, of_a, between, reach))
-                return true;
+            if (separates(between) || separates(-between)) return true;
         }
     return false;
 }
@@ -281,14 +274,6 @@ private:
 
 using Tree = BoxTree<3>;
 
-Eigen::AlignedBox3f box_of(const SightMesh& mesh, std::uint32_t triangle, double reach) {
-    Eigen::AlignedBox3f box;
-    for (const std::uint32_t v : mesh.triangles[triangle])
-        box.extend(mesh.positions[v].cast<float>().eval());
-    const Eigen::Vector3f room = Eigen::Vector3f::Constant(float(reach) + 1e-7f);
-    return {box.min() - room, box.max() + room};
-}
-
 template <class T>
 void append(const std::vector<T>& from, std::vector<T>& to) {
     to.insert(to.end(), from.begin(), from.end());
@@ -317,14 +302,14 @@ std::vector<std::uint8_t> corners_near_cuts(const Found& found, const Tree& tree
 
 Found find_pairs(SightMesh& mesh, const StageProgress& stage) {
     const PairJudge judge(mesh);
-    const auto box = [&, reach = judge.reach() / 2](std::uint32_t t) {
-        return box_of(mesh, t, reach);
-    };
-    mesh.along_curve =
-        order_along_curve<3>(mesh.triangles.size(), local_box(),
-                             [&](std::uint32_t t) -> Eigen::Vector3f { return box(t).center(); });
-    const std::vector<std::uint32_t>& order = mesh.along_curve;
-    const Tree tree(order, box);
+    const auto tree = Tree::along_curve(mesh.triangles.size(), local_box(),
+                                        [&, reach = judge.reach() / 2](std::uint32_t t) {
+                                            Eigen::AlignedBox3d box;
+                                            for (const std::uint32_t v : mesh.triangles[t])
+                                                box.extend(mesh.positions[v]);
+                                            return box_around(box, reach);
+                                        });
+    const std::vector<std::uint32_t>& order = mesh.along_curve = tree.order();
     const std::vector<Tree::Pair> pairs = tree.pairs();
     stage.report(0.3);
     std::vector<Found> found(pairs.size());

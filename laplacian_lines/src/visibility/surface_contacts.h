@@ -37,7 +37,4 @@ struct SurfaceContacts {
 /// vertices, each on an edge. Borders nearer than a crack touch. @throws Error(Cancelled)
 SurfaceContacts find_surface_contacts(SightMesh& mesh, const StageProgress& stage);
 
-/// In D: narrower gaps along borders are cracks of the mesh, which no paper shows.
-constexpr double kCrack = 1e-5;
-
 }  // namespace laplacian_lines

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-
 #include "fixed/line_smoothing.h"
 #include "rules/line_rules.h"
+#include "rules/runs.h"
 #include "visibility/sight_pieces.h"
 
 namespace laplacian_lines {
@@ -37,16 +36,11 @@ public:
         const double diagonal = own_diagonal();
         turn_short_runs(false, kShortestGap * diagonal, is_seen);
         turn_short_runs(true, kShortestPart * diagonal, is_seen);
-        const std::size_t n = is_seen.size();
-        const auto hidden = std::find(is_seen.begin(), is_seen.end(), false);
-        if (hidden == is_seen.end()) return traced.push_back(part(0, n, closed_));
-        const auto first = closed_ ? std::size_t(hidden - is_seen.begin()) : 0;
-        for (std::size_t i = 0, end; i < n; i = end) {
-            for (end = i; end < n && is_seen[(first + end) % n]; ++end) {
-            }
-            if (end > i) traced.push_back(part(first + i, first + end, false));
-            end += end < n;
-        }
+        for_each_run(
+            is_seen.size(), closed_, [&](std::size_t i) { return is_seen[i]; },
+            [&](std::size_t begin, std::size_t count) {
+                traced.push_back(part(begin, begin + count, closed_ && count == is_seen.size()));
+            });
     }
 
 private:
@@ -83,20 +77,17 @@ private:
     /// Turns runs of `value` between others that are shorter than `shortest`, local.
     void turn_short_runs(bool value, double shortest, std::vector<bool>& values) const {
         const std::size_t n = values.size();
-        const auto other = std::find(values.begin(), values.end(), !value);
-        if (other == values.end()) return;
-        const auto first = closed_ ? std::size_t(other - values.begin()) : 0;
-        for (std::size_t i = 0, end; i < n; i = end) {
+        const auto is_in = [&](std::size_t i) { return values[i] == value; };
+        for_each_run(n, closed_, is_in, [&](std::size_t begin, std::size_t count) {
             double sum = 0;
-            for (end = i; end < n && values[(first + end) % n] == value; ++end)
-                sum += length(piece(first + end));
+            for (std::size_t i = begin; i < begin + count; ++i)
+                sum += length(piece(i));
             // a gap at an open end is none
-            const bool is_between = closed_ || (i > 0 && end < n) || value;
-            if (end > i && is_between && sum < shortest)
-                for (std::size_t k = i; k < end; ++k)
-                    values[(first + k) % n] = !value;
-            end += end == i;
-        }
+            const bool is_between = closed_ || (begin > 0 && begin + count < n) || value;
+            if (count == n || !is_between || sum >= shortest) return;
+            for (std::size_t i = begin; i < begin + count; ++i)
+                values[i % n] = !value;
+        });
     }
 
     LinePoint point_at(const SightPiece& piece, int end) const {

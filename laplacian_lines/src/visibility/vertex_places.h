@@ -10,19 +10,19 @@
 
 namespace laplacian_lines {
 
-/// A box around a straight line, with room of `reach` and for the rounding of floats.
-Eigen::AlignedBox3f box_around(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double reach);
-
-/// Those that edges have, by vertex.
-std::vector<bool> vertices_of_edges(const SightMesh& mesh);
-
 /// Vertices of a mesh by place.
 class VertexPlaces {
 public:
     /// Holds the vertices that are `wanted`.
-    VertexPlaces(const SightMesh& mesh, const std::vector<bool>& wanted);
-    VertexPlaces(const VertexPlaces&) = delete;
-    VertexPlaces& operator=(const VertexPlaces&) = delete;
+    VertexPlaces(const SightMesh& mesh, const std::vector<bool>& wanted)
+        : step_(1 / std::sqrt(double(mesh.positions.size()))) {
+        std::vector<std::uint32_t> vertices;
+        for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
+            if (wanted[v]) vertices.push_back(v);
+        tree_ = BoxTree<3>::along_curve(std::move(vertices), local_box(), [&](std::uint32_t v) {
+            return Eigen::AlignedBox3f(mesh.positions[v].cast<float>().eval());
+        });
+    }
 
     /// Calls visit(vertex) for all vertices within `reach` of a straight line, some of them more
     /// than once.
@@ -42,8 +42,7 @@ public:
 
 private:
     double step_;
-    std::vector<std::uint32_t> vertices_;  // along a curve
-    BoxTree<3> tree_;                      // of these
+    BoxTree<3> tree_;
 };
 
 }  // namespace laplacian_lines
