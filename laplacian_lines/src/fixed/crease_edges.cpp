@@ -30,7 +30,6 @@ constexpr float kLeastMeasuredAngle = 20;  // degrees
 // Shares of the edge's angle that are not explained. Half is between a facet, of which all is, and
 // an edge between flat faces, of which nothing is; what goes on from there may be weaker.
 constexpr float kStrong = 0.5f, kWeak = 0.25f;
-constexpr std::size_t kEdgesAtATime = 256;
 
 // Of triangular faces.
 constexpr std::uint32_t kMostPlaces = 4000;
@@ -93,10 +92,7 @@ public:
 
     std::vector<CreaseEdge> run(float least_angle) const {
         std::vector<CreaseEdge> edges = find_bent_edges();
-        parallel_for<NoScratch>(
-            edges.size(), kEdgesAtATime,
-            [&](std::size_t i, NoScratch&) { edges[i].verdict = judge(edges[i]); },
-            [](std::size_t) {});
+        in_parallel(edges.size(), [&](std::size_t i) { edges[i].verdict = judge(edges[i]); });
         drop_unsupported(edges, is_made_);
         for (CreaseEdge& edge : edges)
             if (edge.verdict != Verdict::Noise)
