@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "sums/grid_convolution.h"
 #include "sums/summation_cost.h"
@@ -292,7 +291,8 @@ private:
         in_parallel(masses_.sites().size(), [&](std::size_t i) {
             const std::size_t site = masses_.sites()[i];
             GridNode* nodes = masses_.block(site);
-            std::memset(static_cast<void*>(nodes), 0, sizeof(GridNode) * kBlockNodes);
+            for (int node = 0; node < kBlockNodes; ++node)
+                std::fill(std::begin(nodes[node].moments), std::end(nodes[node].moments), 0.f);
             for (int part = 0; part < 8; ++part) {
                 const std::size_t step = std::size_t(part & 1) + row * std::size_t(part >> 1 & 1);
                 if (step > site || slab < part >> 2) continue;

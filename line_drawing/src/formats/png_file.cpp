@@ -38,15 +38,15 @@ std::string rowsOf(const Canvas& canvas) {
 std::string inPng(const Canvas& canvas, int dots_per_metre) {
     const std::string size =
         number(std::uint32_t(canvas.width())) + number(std::uint32_t(canvas.height()));
-    const std::string density = number(std::uint32_t(dots_per_metre));
+    const std::string density = number(std::uint32_t(dots_per_metre)), rows = rowsOf(canvas);
     return "\x89PNG\r\n\x1a\n" + chunk("IHDR", size + std::string{8, 0, 0, 0, 0}) +
-           chunk("pHYs", density + density + '\1') + chunk("IDAT", deflated(rowsOf(canvas))) +
+           chunk("pHYs", density + density + '\1') + chunk("IDAT", deflated(rows)) +
            chunk("IEND", {});
 }
 
 }  // namespace
 
-std::string deflated(std::string_view bytes) {
+std::string deflated(const std::string& bytes) {
     uLongf size = compressBound(uLong(bytes.size()));
     std::string result(size, '\0');
     if (compress(reinterpret_cast<Bytef*>(result.data()), &size,

@@ -21,7 +21,7 @@ void forEachMark(const Sheet& sheet, const Mark& mark) {
 }
 
 /// By zlib (RFC 1950).
-std::string deflated(std::string_view bytes);
+std::string deflated(const std::string& bytes);
 
 // Of SheetFormat; `dpi` is for pictures.
 
