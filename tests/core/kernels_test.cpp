@@ -115,7 +115,7 @@ TEST(KernelLaplacian, DrawnKernelsAreWithinTheirRange) {
         EXPECT_NEAR(measure_scale(mesh, options).kernel_size,
                     std::min(std::max(wanted, range.least), range.most), 1e-9 * range.most);
     }
-    EXPECT_EQ(drawn_kernel_range(0.1, 1).most, 0.2);
+    EXPECT_EQ(drawn_kernel_range(0.1, 1).most, 0.1);
 }
 
 constexpr double mean_edge = 0.002, diagonal = 1;
@@ -132,7 +132,7 @@ std::vector<double> shares_of(const KernelLevels& levels, double wanted) {
 
 TEST(KernelLevels, GoFromTheLeastToTheLargestThatDrawingsHave) {
     const KernelLevels levels(mean_edge, diagonal);
-    EXPECT_DOUBLE_EQ(levels.size(0), 2 * mean_edge);
+    EXPECT_DOUBLE_EQ(levels.size(0), mean_edge);
     EXPECT_NEAR(levels.size(levels.count() - 1), 0.04 * diagonal, 1e-12);
     ASSERT_GT(levels.count(), 2);
     const double step = levels.size(1) / levels.size(0);
@@ -164,7 +164,7 @@ TEST(KernelLevels, PassIntoEachOtherWithoutAJump) {
 TEST(KernelLevels, AreOneWhereTheMeshHasNoOther) {
     const double nan = std::nan("");
     for (const KernelLevels& levels :
-         {KernelLevels(0.1, 1), KernelLevels(0.02, 1), KernelLevels(0, 0), KernelLevels(0, 1),
+         {KernelLevels(0.1, 1), KernelLevels(0.04, 1), KernelLevels(0, 0), KernelLevels(0, 1),
           KernelLevels(nan, 1), KernelLevels()}) {
         EXPECT_EQ(levels.count(), 1);
         for (const double wanted : {0., 0.001, 1., nan}) {
@@ -173,7 +173,7 @@ TEST(KernelLevels, AreOneWhereTheMeshHasNoOther) {
             EXPECT_EQ(levels.at(wanted)[0].share, 1);
         }
     }
-    EXPECT_DOUBLE_EQ(KernelLevels(0.1, 1).size(0), 0.2);
+    EXPECT_DOUBLE_EQ(KernelLevels(0.1, 1).size(0), 0.1);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "clusters/cluster_building.h"
 #include "clusters/coarseness.h"
 #include "clusters/curvature_records.h"
+#include "field/tensor_fits.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/field_columns.h"
 #include "mesh/prepared_mesh.h"
@@ -131,6 +132,7 @@ ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field,
     data.diagonal = prepared.diagonal;
     if (data.centre.cwiseAbs().maxCoeff() > kFar * data.diagonal) data.origin = data.centre;
     data.is_rough = is_rough(field.report);
+    data.squared_scale = squared_scale(derivative_kernel(field.scale), field.scale);
     ClusterBuilder(prepared, field, data).build(stage.part(kPrepared, 1));
     data.laplacians = laplacian_forms(prepared, field, data);
     if (field.has_derivatives()) data.curvatures = curvature_records(prepared, field, data);

@@ -36,6 +36,7 @@ struct ExtractorData {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the bounding box, mesh units
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< of line sets
     double diagonal = 1;                               ///< D, mesh units
+    double squared_scale = 0;                          ///< h_e of the records, D²
     LaplacianForms laplacians;                         ///< of the field that it was built of
     bool is_rough = false;  ///< edges of the mesh are those of noise or voxels, not of the form
     bool is_sheet = false;  ///< its borders are so long that it is seen from both sides

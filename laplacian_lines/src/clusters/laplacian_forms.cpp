@@ -14,22 +14,20 @@ namespace {
 
 constexpr double kLargestLaplacian = 1e12;
 
-/// h_e, D²
-double squared_scale(const FieldScale& scale) {
-    const double size = scale.kernel_size / scale.diagonal,
-                 sigma = scale.normal_sigma / scale.diagonal;
+}  // namespace
+
+double squared_scale(double kernel_size, const FieldScale& scale) {
+    const double size = kernel_size / scale.diagonal, sigma = scale.normal_sigma / scale.diagonal;
     return size * size + sigma * sigma / 2;
 }
-
-}  // namespace
 
 LaplacianForms laplacian_forms(const PreparedMesh& mesh, const Field& field,
                                const ExtractorData& data) {
     LaplacianForms forms;
     forms.kernel_size = float(field.scale.kernel_size / field.scale.diagonal);
-    forms.squared_scale = squared_scale(field.scale);
-    const double own = data.laplacians.squared_scale;
-    if (own > 0) forms.factor = float(std::pow(forms.squared_scale / own, 1.5));
+    if (data.squared_scale > 0)
+        forms.factor = float(std::pow(
+            squared_scale(field.scale.kernel_size, field.scale) / data.squared_scale, 1.5));
     const Cluster* last = data.clusters.empty() ? nullptr : &data.clusters.back();
     forms.groups = large_array<FormGroup>(last ? last->first_form_group + form_groups(*last) : 0);
     const double factor = data.diagonal * data.diagonal * forms.factor;

@@ -17,16 +17,17 @@ struct ExtractorData;
 struct LaplacianForms {
     std::vector<FormGroup> groups;  ///< cluster by cluster
     float kernel_size = 0;          ///< √h, D
-    double squared_scale = 0;       ///< h_e of the whole mesh, D²
     /// What Δn is multiplied by, so that the slope_scale of the vertices' records, which is of
-    /// another kernel, gives the slopes of this one. Moves no zeros.
+    /// the kernel of derivatives, gives the slopes of this one. Moves no zeros.
     float factor = 1;
 
     std::size_t memory() const { return groups.capacity() * sizeof(FormGroup); }  ///< bytes
 };
 
-/// Those of the clusters' mesh from a field of it. Unless they are the first, which come with the
-/// records, their factor makes up for the records' kernel.
+/// h_e of the whole mesh for a √h, D².
+double squared_scale(double kernel_size, const FieldScale& scale);
+
+/// Those of the clusters' mesh from a field of it.
 LaplacianForms laplacian_forms(const PreparedMesh& mesh, const Field& field,
                                const ExtractorData& data);
 
