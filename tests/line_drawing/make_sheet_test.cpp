@@ -100,7 +100,7 @@ TEST(MeasuredDrawing, UnitsAndScalesMultiply) {
 }
 
 TEST(MeasuredDrawing, ALightTurnsWithTheView) {
-    const auto mesh = test_meshes::bumpy_sphere(4).mesh;
+    const auto mesh = test_meshes::bumpy_sphere(5).mesh;
     const auto svg = [&](const char* views, std::optional<Eigen::Vector3d> light) {
         SheetOptions options = plainViews(views);
         options.mm_per_unit = 40;

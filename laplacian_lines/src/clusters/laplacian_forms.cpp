@@ -6,6 +6,7 @@
 #include "clusters/bounded.h"
 #include "clusters/extractor_data.h"
 #include "clusters/linear_forms.h"
+#include "field/tensor_fits.h"
 #include "system/large_array.h"
 #include "system/parallel.h"
 
@@ -13,7 +14,6 @@ namespace laplacian_lines {
 namespace {
 
 constexpr double kLargestLaplacian = 1e12;
-
 }  // namespace
 
 double squared_scale(double kernel_size, const FieldScale& scale) {
@@ -25,9 +25,11 @@ LaplacianForms laplacian_forms(const PreparedMesh& mesh, const Field& field,
                                const ExtractorData& data) {
     LaplacianForms forms;
     forms.kernel_size = float(field.scale.kernel_size / field.scale.diagonal);
-    if (data.squared_scale > 0)
-        forms.factor = float(std::pow(
-            squared_scale(field.scale.kernel_size, field.scale) / data.squared_scale, 1.5));
+    // By its own scale alone gentle forms would have no slopes for a kernel of a mean edge, by that
+    // of derivatives the finest would have too many.
+    const double scale = std::sqrt(squared_scale(field.scale.kernel_size, field.scale) *
+                                   squared_scale(derivative_kernel(field.scale), field.scale));
+    if (data.squared_scale > 0) forms.factor = float(std::pow(scale / data.squared_scale, 1.5));
     const Cluster* last = data.clusters.empty() ? nullptr : &data.clusters.back();
     forms.groups = large_array<FormGroup>(last ? last->first_form_group + form_groups(*last) : 0);
     const double factor = data.diagonal * data.diagonal * forms.factor;

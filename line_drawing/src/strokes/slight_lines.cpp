@@ -36,14 +36,13 @@ private:
     std::unordered_map<std::uint32_t, int> lines_;
 };
 
-/// Of what ends in nothing. A contour that meets nothing at all and is shorter than two √h, which
-/// are two mean edges of coarse meshes, goes round a triangle or two which face away by chance.
+/// Of what ends in nothing. A contour that meets nothing at all and is shorter than √h goes round a
+/// triangle or two which face away by chance.
 double shortestEnd(const Nodes& nodes, const DrawnLine& line, const SheetOptions& options) {
     if (!isCurvedContour(line)) return shortest_line;
     const bool is_alone = std::none_of(line.points.begin(), line.points.end(),
                                        [&](const DrawnPoint& p) { return nodes.isJunction(p); });
-    return is_alone ? std::max(shortest_contour_end, 2 * options.kernel.size)
-                    : shortest_contour_end;
+    return is_alone ? std::max(shortest_contour_end, options.kernel.size) : shortest_contour_end;
 }
 
 /// Cuts off ends shorter than `shortest` between nothing and the next junction.
