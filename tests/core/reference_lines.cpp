@@ -97,7 +97,7 @@ private:
             const double own = ratio * field.scale.kernel_size;
             const double share =
                 (own * own + sigma * sigma / 2) / (size * size + sigma * sigma / 2);
-            vertex.slope_scale *= std::pow(share, 0.75);
+            vertex.slope_scale *= std::pow(share, 1.5 * 0.75);
         }
         const Vector3d l = light_.from(vertex.position);
         if (kind_ == LineKind::Laplacian) {

@@ -14,6 +14,9 @@ namespace laplacian_lines {
 namespace {
 
 constexpr double kLargestLaplacian = 1e12;
+// By its own scale alone gentle forms would have no slopes for a kernel of a mean edge; by that of
+// derivatives what is finest would have too many.
+constexpr double kOwnShare = 0.75;
 }  // namespace
 
 double squared_scale(double kernel_size, const FieldScale& scale) {
@@ -25,10 +28,9 @@ LaplacianForms laplacian_forms(const PreparedMesh& mesh, const Field& field,
                                const ExtractorData& data) {
     LaplacianForms forms;
     forms.kernel_size = float(field.scale.kernel_size / field.scale.diagonal);
-    // By its own scale alone gentle forms would have no slopes for a kernel of a mean edge, by that
-    // of derivatives the finest would have too many.
-    const double scale = std::sqrt(squared_scale(field.scale.kernel_size, field.scale) *
-                                   squared_scale(derivative_kernel(field.scale), field.scale));
+    const double own = squared_scale(field.scale.kernel_size, field.scale);
+    const double wider = squared_scale(derivative_kernel(field.scale), field.scale);
+    const double scale = wider * std::pow(own / wider, kOwnShare);
     if (data.squared_scale > 0) forms.factor = float(std::pow(scale / data.squared_scale, 1.5));
     const Cluster* last = data.clusters.empty() ? nullptr : &data.clusters.back();
     forms.groups = large_array<FormGroup>(last ? last->first_form_group + form_groups(*last) : 0);
