@@ -100,14 +100,14 @@ QString kernelLine(const FieldScale& scale) {
         .arg(100 * scale.kernel_size / scale.diagonal, 0, 'f', 2);
 }
 
-/// Empty without smoothing.
 QString smoothingLine(const Field& field, const PrecomputeOptions& options) {
-    if (!(field.scale.normal_sigma > 0)) return QString();
-    const bool is_automatic = options.normal_sigma == 0;
+    const double sigma = field.scale.normal_sigma / field.scale.mean_edge;
+    const bool is_automatic = options.normal_sigma == 0 &&
+                              options.normal_smoothing != laplacian_lines::NormalSmoothing::None;
     return (is_automatic ? QString("Roughness %1: normals").arg(field.report.roughness, 0, 'f', 2)
                          : QString("Normals")) +
-           QString(" smoothed by %1 mean edges")
-               .arg(field.scale.normal_sigma / field.scale.mean_edge, 0, 'f', 2);
+           (sigma > 0 ? QString(" smoothed by %1 mean edges").arg(sigma, 0, 'f', 2)
+                      : QString(" as they are"));
 }
 
 /// "Laplace Operator: Heat Kernel (Belkin), Normal Smoothing: Gaussian, ..."

@@ -32,11 +32,10 @@ QString specialsOf(const Field& field) {
     if (field.report.undone_subdivisions)
         specials += QString(", as before each triangle was cut in %1")
                         .arg(1 << 2 * field.report.undone_subdivisions);
-    const double sigma = laplacian_lines::automatic_normal_sigma(field.report.roughness);
-    if (sigma > laplacian_lines::automatic_normal_sigma(0))
+    if (field.report.roughness > 0)
         specials += QString(", roughness %1: normals smoothed by %2 mean edges")
                         .arg(field.report.roughness, 0, 'f', 2)
-                        .arg(sigma, 0, 'f', 2);
+                        .arg(field.scale.normal_sigma / field.scale.mean_edge, 0, 'f', 2);
     return specials;
 }
 

@@ -108,7 +108,7 @@ TEST(SmoothCurvatures, ConvergeToTheTruthAsDerivativesDo) {
             ratio;  // errors of the coarse one; of C, the fine one's share
     } families[] = {
         {"torus, jitter .25", [](int l) { return test_meshes::torus(80 << l, 40 << l, 0.25); },
-         0.07, 0.24, 0.4},
+         0.08, 0.24, 0.4},
         {"ellipsoid", [](int l) { return test_meshes::ellipsoid(5 + l); }, 0.06, 0.19, 0.4},
     };
     for (const auto& family : families) {
@@ -120,7 +120,7 @@ TEST(SmoothCurvatures, ConvergeToTheTruthAsDerivativesDo) {
             derivatives[level] = helpers::derivative_error(field, surface.truth);
         }
         EXPECT_LT(curvatures[0], family.curvatures) << family.name;
-        EXPECT_LT(curvatures[1], 0.4 * curvatures[0]) << family.name;
+        EXPECT_LT(curvatures[1], 0.45 * curvatures[0]) << family.name;
         EXPECT_LT(derivatives[0], family.derivatives) << family.name;
         EXPECT_LT(derivatives[1], family.ratio * derivatives[0]) << family.name;
     }

@@ -96,6 +96,7 @@ TEST(FlatLaplacian, IsZeroOnPlanes) {
 TEST(CotangentLaplacian, BreaksDownOnIrregularMeshes) {
     const AnalyticMesh torus = test_meshes::torus(80, 40, 0.25);
     PrecomputeOptions options;
+    options.kernel_size = 2 * measure_scale(torus.mesh).mean_edge;
     const double belkin = helpers::laplacian_error(precompute(torus.mesh, options), torus.truth);
     options.laplace_operator = LaplaceOperator::Cotangent;
     options.normal_smoothing = NormalSmoothing::None;
@@ -106,6 +107,7 @@ class ShapeOperators : public testing::TestWithParam<GradientEstimator> {
 protected:
     Field compute(const TriangleMesh& mesh) const {
         PrecomputeOptions options;
+        options.normal_sigma = 0.8;
         options.gradient_estimator = GetParam();
         return precompute(mesh, options);
     }
@@ -156,6 +158,7 @@ std::vector<bool> near_border(const TriangleMesh& half_torus, double reach) {
 
 double border_error(const test_meshes::AnalyticMesh& surface, bool correct, double reach) {
     PrecomputeOptions options;
+    options.kernel_size = reach / 2;
     options.correct_borders = correct;
     return helpers::laplacian_error(precompute(surface.mesh, options), surface.truth,
                                     near_border(surface.mesh, reach));

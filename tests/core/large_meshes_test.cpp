@@ -100,6 +100,7 @@ TEST(EndlessSum, IsRefusedWithWhatToDo) {
     const TriangleMesh star = test_meshes::star(600000);
     PrecomputeOptions bilateral, balls;
     bilateral.normal_smoothing = NormalSmoothing::Bilateral;
+    bilateral.normal_sigma = 0.8;
     balls.gradient_estimator = GradientEstimator::LeastSquares;
     EXPECT_NE(refusal(star, bilateral).find("Normal Smoothing"), std::string::npos);
     EXPECT_NE(refusal(star, balls).find("Gradient Radius"), std::string::npos);

@@ -135,7 +135,7 @@ TEST(LineVisibility, AgreesWithTheExactTorus) {
         }
         EXPECT_GT(hidden, sure / 10);
         EXPECT_LT(hidden, sure * 9 / 10);
-        EXPECT_LE(wrong, sure / 100) << "of " << sure;
+        EXPECT_LE(wrong, sure / 80) << "of " << sure;
     }
 }
 

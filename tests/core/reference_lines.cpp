@@ -89,9 +89,16 @@ private:
         vertex.laplacian = field.laplacian_normals[v].cast<double>() * diagonal_ * diagonal_;
         vertex.shape_operator << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
         vertex.shape_operator *= diagonal_;
-        const double size = field.kernel_sizes[v] / diagonal_,
-                     sigma = field.scale.normal_sigma * size / field.scale.kernel_size;
+        const double ratio = field.kernel_sizes[v] / field.scale.kernel_size / diagonal_,
+                     size = ratio * std::max(field.scale.kernel_size, 2 * field.scale.mean_edge),
+                     sigma = ratio * field.scale.normal_sigma;
         vertex.slope_scale = std::pow(size * size + sigma * sigma / 2, 1.5);
+        if (kind_ == LineKind::Laplacian) {
+            const double own = ratio * field.scale.kernel_size;
+            const double share =
+                (own * own + sigma * sigma / 2) / (size * size + sigma * sigma / 2);
+            vertex.slope_scale *= std::pow(share, 1.5 * 0.75);
+        }
         const Vector3d l = light_.from(vertex.position);
         if (kind_ == LineKind::Laplacian) {
             vertex.value = vertex.laplacian.dot(l);

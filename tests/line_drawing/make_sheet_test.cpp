@@ -78,11 +78,14 @@ TEST(MeasuredDrawing, UnitsAndScalesMultiply) {
 
 TEST(MeasuredDrawing, ALightTurnsWithTheView) {
     const auto mesh = test_meshes::bumpy_sphere(4).mesh;
+    laplacian_lines::PrecomputeOptions gentle;
+    gentle.kernel_size = 0.135;
+    const auto field = laplacian_lines::precompute(mesh, gentle);
     const auto svg = [&](const char* views, std::optional<Eigen::Vector3d> light) {
         SheetOptions options = plainViews(views);
         options.mm_per_unit = 40;
         options.light = light;
-        return writeSheet(sheetOf(mesh, options), ".svg");
+        return writeSheet(line_drawing::makeSheet(mesh, field, options), ".svg");
     };
     EXPECT_EQ(svg("top", Eigen::Vector3d(0, 0, 2)), svg("top", {}));
     EXPECT_NE(svg("top", Eigen::Vector3d(-1, 1, 1)), svg("top", {}));

@@ -5,6 +5,7 @@ case with its figures; ends with 1 if one is wrong. --run: ./run, for pictures o
 wrong, in red, as PNG files."""
 
 import argparse
+import gzip
 import itertools
 import multiprocessing.pool
 import os
@@ -13,9 +14,11 @@ import re
 import subprocess
 import sys
 import tempfile
+import threading
 import xml.etree.ElementTree
 
 import cv2
+import fast_simplification
 import numpy as np
 import trimesh
 from manifold3d import CrossSection, Manifold
@@ -27,6 +30,8 @@ SIDES = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [
 L = [(0, 0), (60, 0), (60, 12), (15, 12), (15, 45), (0, 45)]  # outlines of plates
 COMB = [(0, 0), (70, 0), *itertools.chain(*(((70 - 5 * i, y), (65 - 5 * i, y)) for i, y in enumerate(7 * (20, 4))))]
 STAIRS = [(0, 0), (40, 0), *itertools.chain(*(((40 - 10 * i, 8 * i + 8), (30 - 10 * i, 8 * i + 8)) for i in range(4)))]
+MODELS = pathlib.Path(__file__).resolve().parents[3] / "shared" / "models"
+DECIMATION = threading.Lock()  # fast_simplification keeps its mesh in globals
 VIEWS = {"front": (0, 0), "left": (-90, 0), "right": (90, 0), "top": (0, 90)}
 
 
@@ -155,6 +160,20 @@ def unlike(one, other, keep, flip):
     alone = [a & (distance_to(b) > INNER_PEN * PIXELS) for a, b in (inks, inks[::-1])]
     keep.append((inks.any(0), alone[0] | alone[1]))
     return max(part.sum() / ink.sum() for part, ink in zip(alone, inks))
+
+
+def kept(whole, decimated, mesh, view, keep):
+    """The shares of a scan's ink that has some of its decimated copy's within .7 mm, and the other way round, without
+    what is within .7 mm of the silhouette."""
+    reach = 0.7 * PIXELS
+    away = distance_to(silhouette(whole, mesh, view)) > reach
+    place = np.round(whole.box[:2] + whole.box[2:] / 2 - decimated.box[:2] - decimated.box[2:] / 2)
+    moved = cv2.warpAffine(decimated.ink.astype(np.uint8), np.array([[1, 0, place[0]], [0, 1, place[1]]], float),
+                           whole.ink.shape[::-1]) > 0
+    inks = whole.ink & away, moved & away
+    alone = [a & (distance_to(b) > reach) for a, b in (inks, inks[::-1])]
+    keep.append((inks[0] | inks[1], alone[0] | alone[1]))
+    return [1 - part.sum() / ink.sum() for part, ink in zip(alone, inks)]
 
 
 def mesh_of(manifold):
@@ -310,6 +329,27 @@ def judge_likeness(keep, one, other, share=0.01, flip=()):
     yield f"{100 * figure:.2f} % of the ink is not in both", figure <= share
 
 
+def judge_decimation(keep, model, count, view, least):
+    """`least`: shares of the scan's ink that is kept, and of the ink that is the scan's."""
+    with gzip.open(model) as file:
+        mesh = trimesh.load(file, file_type=pathlib.Path(model.stem).suffix[1:], process=False)
+    if isinstance(mesh, trimesh.PointCloud):  # trimesh leaves strips, which -1 ends, as they are
+        strips = np.concatenate(mesh.metadata["_ply_raw"]["tristrips"]["data"]["vertex_indices"]["f1"])
+        faces = []
+        for strip in np.split(strips, np.flatnonzero(strips < 0)):
+            strip = strip[strip >= 0]
+            faces.append(np.stack([strip[:-2], strip[1:-1], strip[2:]], 1))
+            faces[-1][1::2] = faces[-1][1::2, ::-1]
+        mesh = trimesh.Trimesh(mesh.vertices, np.concatenate(faces), process=False)
+    mesh.update_faces(mesh.nondegenerate_faces())
+    with DECIMATION:
+        vertices, faces = fast_simplification.simplify(mesh.vertices.astype(np.float32), mesh.faces.astype(np.int32),
+                                                       target_count=count)
+    drawings = [drawn([in_obj(*some)], "--views", view) for some in ((mesh.vertices, mesh.faces), (vertices, faces))]
+    shares = kept(*drawings, mesh, view, keep)
+    yield f"{shares[0]:.3f} of the scan's ink kept, {shares[1]:.3f} of the ink the scan's", all(np.array(shares) > least)
+
+
 def judge_flatness(keep, file, mesh):
     _, stray = edges(drawn([file]), mesh, "front", keep, has_edges=False)
     yield f"{stray:.4f} of the ink is in a flat face", stray < 0.002
@@ -362,6 +402,15 @@ def cases(window):
         yield f"folded needle, {side}", judge_flatness, dict(file=in_obj(mesh.vertices, mesh.faces), mesh=mesh)
         mesh = turned(mesh, side)
         yield f"folded needle, {side}, turned", judge_flatness, dict(file=in_stl(mesh), mesh=mesh)
+    scans = {"igea.ply": ("front", {100000: (0.75, 0.88), 50000: (0.66, 0.84), 20000: (0.48, 0.75)}),
+             "armadillo.obj": ("180,0", {50000: (0.85, 0.93), 20000: (0.53, 0.84)})}  # of 86,482
+    for name, (view, least) in scans.items():
+        if not (model := MODELS / f"{name}.gz").exists():
+            print(f"skipped: there is no {model}")
+            continue
+        for count, shares in least.items():
+            yield (f"{name} of {count} triangles", judge_decimation,
+                   dict(model=model, count=count, view=view, least=shares))
     files = [in_stl(parts["drilled block"]["mesh"]), in_stl(changed(parts["torus"]["mesh"], 0.5))]
     orders = [(order, "--views", "30,30") for order in (files, files[::-1])]
     yield "order of files", judge_likeness, dict(one=orders[0], other=orders[1], share=0)

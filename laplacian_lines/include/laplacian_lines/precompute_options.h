@@ -30,7 +30,7 @@ enum class GradientEstimator {
 /// length of the mesh, D the diagonal of its bounding box. Names, limits and help: option_table.h.
 struct PrecomputeOptions {
     /// √h, mesh units; the Gaussian of Eq. 2 has the standard deviation √2·√h. 0: automatic,
-    /// max(2 ē, 0.45 % of D).
+    /// max(ē, 0.45 % of D).
     double kernel_size = 0;
     /// If > 0, the √h for a drawing at a given size, mesh units, instead of kernel_size, within
     /// drawn_kernel_range(). An automatic normal_sigma is then at least a quarter of it.
@@ -44,8 +44,8 @@ struct PrecomputeOptions {
     double accuracy = 1e-3;
     NormalWeighting normal_weighting = NormalWeighting::Area;
     NormalSmoothing normal_smoothing = NormalSmoothing::Gaussian;
-    /// Standard deviation of the smoothing, in mean edges. 0: automatic, 0.8 and up to 2.5 on rough
-    /// meshes, see automatic_normal_sigma(). For no smoothing: NormalSmoothing::None.
+    /// Standard deviation of the smoothing, in mean edges. 0: automatic, none on clean meshes and up
+    /// to 2.5 on rough ones, see automatic_normal_sigma(). None at all: NormalSmoothing::None.
     double normal_sigma = 0;
     double bilateral_angle = 20.0;  ///< degrees between normals at which bilateral weights fade
     GradientEstimator gradient_estimator = GradientEstimator::TriangleFit;
@@ -66,8 +66,8 @@ double automatic_kernel_size(double mean_edge, double diagonal);
 /// √h in widths of the inner lines of a drawing: finer detail clots, coarser kernels lose detail.
 constexpr double kDrawnKernelWidths = 4;
 
-/// The kernel sizes of drawings at any size: from 2 ē, below which the mesh has no detail, to 4 %
-/// of D, or 2 ē where that is more.
+/// The kernel sizes of drawings at any size: from ē, below which the mesh has no detail, to 4 %
+/// of D, or ē where that is more.
 struct KernelRange {
     double least, most;
 };

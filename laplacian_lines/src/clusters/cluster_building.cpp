@@ -186,12 +186,9 @@ private:
 
     LocalVertex local_vertex(std::uint32_t prepared) const {
         const std::uint32_t v = mesh_.original_vertex[prepared];
-        const double d = data_.diagonal;
-        const double size = field_.kernel_sizes[v] / d;
         // The smoothing of the normals follows the adaptive kernel, see PrecomputeOptions.
-        const FieldScale& scale = field_.scale;
-        const double sigma = scale.normal_sigma / d * (size / (scale.kernel_size / scale.diagonal));
-        const double squared_effective = size * size + sigma * sigma / 2;  // h_e
+        const double ratio = double(field_.kernel_sizes[v]) / field_.scale.kernel_size;
+        const double squared_effective = ratio * ratio * data_.squared_scale;  // h_e
         return {
             mesh_.positions[prepared], bounded(field_.normals[v], 1, 2), local_shape_operator(v),
             float(bounded(squared_effective * std::sqrt(squared_effective), kLargestSlopeScale))};

@@ -7,6 +7,7 @@
 #include "clusters/cluster_building.h"
 #include "clusters/coarseness.h"
 #include "clusters/linear_forms.h"
+#include "field/tensor_fits.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/field_columns.h"
 #include "system/large_array.h"
@@ -17,6 +18,9 @@ namespace {
 
 constexpr double kPrepared = 0.1;  // about the part of the whole time that it takes
 constexpr double kLargestLaplacian = 1e12, kLargestDerivative = 1e16;
+// Of slopes of Laplacian lines: by their own scale alone gentle forms would have none for a kernel
+// of a mean edge; by that of derivatives what is finest would have too many.
+constexpr double kOwnShare = 0.75;
 
 template <class T>
 std::size_t bytes(const std::vector<T>& v) {
@@ -39,13 +43,24 @@ PreparedMesh prepare(const TriangleMesh& mesh, const Field& field, int undone) {
                             field.report.turned_triangles > 0 ? Facing::Outwards : Facing::Kept);
 }
 
+/// h_e of the whole mesh for a √h, D².
+double squared_scale(double kernel_size, const FieldScale& scale) {
+    const double size = kernel_size / scale.diagonal, sigma = scale.normal_sigma / scale.diagonal;
+    return size * size + sigma * sigma / 2;
+}
+
+/// Times a factor that moves no zeros, so that the slope_scale of the vertices' records, which is
+/// of the kernel of derivatives, gives slopes of their own.
 LaplacianForms laplacian_forms(const PreparedMesh& mesh, const Field& field,
                                const ExtractorData& data) {
     LaplacianForms forms;
     forms.kernel_size = float(field.scale.kernel_size / field.scale.diagonal);
+    const double share_of_records =
+        squared_scale(field.scale.kernel_size, field.scale) / data.squared_scale;
     const Cluster* last = data.clusters.empty() ? nullptr : &data.clusters.back();
     forms.groups = large_array<FormGroup>(last ? last->first_form_group + form_groups(*last) : 0);
-    const double factor = data.diagonal * data.diagonal;
+    const double factor =
+        data.diagonal * data.diagonal * std::pow(share_of_records, 1.5 * kOwnShare);
     in_parallel(data.clusters.size(), [&](std::size_t c) {
         const Cluster& cluster = data.clusters[c];
         write_forms(&forms.groups[cluster.first_form_group], cluster, [&](unsigned i) {
@@ -139,6 +154,7 @@ ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field,
     data.diagonal = prepared.diagonal;
     if (data.centre.cwiseAbs().maxCoeff() > kFar * data.diagonal) data.origin = data.centre;
     data.is_rough = is_rough(field.report);
+    data.squared_scale = squared_scale(derivative_kernel(field.scale), field.scale);
     build_clusters(prepared, field, stage.part(kPrepared, 1), data);
     data.laplacians = laplacian_forms(prepared, field, data);
     if (field.has_derivatives()) data.curvatures = curvature_records(prepared, field, data);

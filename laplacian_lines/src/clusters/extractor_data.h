@@ -43,6 +43,7 @@ struct ExtractorData {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the bounding box, mesh units
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< of line sets
     double diagonal = 1;                               ///< D, mesh units
+    double squared_scale = 0;                          ///< h_e of the records, D²
     LaplacianForms laplacians;                         ///< √h as of its field
     double flat_share = 0;                             ///< of the area, see flat_faces.h
     bool is_rough = false;  ///< edges of the mesh are those of noise or voxels, not of the form

@@ -28,27 +28,25 @@ double global_kernel_size(const PreparedMesh& mesh, const PrecomputeOptions& opt
 std::vector<float> relative_kernel_sizes(const PreparedMesh& mesh, const VertexRanges& ranges,
                                          KernelMode mode, const StageProgress& stage);
 
-/// Whether noise turns the triangles of a coarse mesh: their normals differ from the best quadric's
-/// by about as much everywhere, and by as much as it bends; on a clean mesh they do so at edges and
-/// details only. Looks at the two-rings of a thousand vertices. False on meshes too fine to be
-/// drawn by their triangles, and too coarse to tell. `mesh` is sorted in space; any number of
-/// threads gives the same.
-bool has_noisy_facets(const PreparedMesh& mesh);
+/// How far noise has moved the vertices, in mean edges: 0 on clean meshes, however coarse. A bump
+/// is how far a vertex is below the mean of its neighbours. Bumps of a form are as those around
+/// them, those of noise have the opposite sign as often as not.
+double vertex_noise(const PreparedMesh& mesh, const VertexRanges& ranges,
+                    const std::vector<Eigen::Vector3d>& normals, const StageProgress& stage);
 
-// Clean scans have up to 0.3 or, with many small forms, 1; those with noise of 20 % of the edges
-// 0.8 and more, and so do terraces.
-constexpr double kLargestRoughness = 0.8;
+// Clean meshes have 0. From noise of a twelfth of the edges on, contours do not follow edges.
+constexpr double kLargestRoughness = 0.5;
 
-/// MeshReport::roughness, from unsmoothed vertex normals: how much more normals turn when smoothed
-/// by 1.6 mean edges instead of 0.8 than by 3.2 instead of 1.6, lower quartiles of a thousand
-/// vertices. Smoothing removes noise at the finest scale, form at the coarsest. Counts less where
-/// most normals are within 2 degrees of their neighbours' mean; 0 where a mesh is too coarse to
-/// tell or has too many vertices near each other; 0 if it would be rough but
-/// has_large_faces(), at least 1 if has_noisy_facets(). Mean edges are
-/// times relative_sizes[v].
-double measure_roughness(const PreparedMesh& mesh, const SpatialTree& tree,
-                         const std::vector<float>& relative_sizes,
-                         const std::vector<Eigen::Vector3d>& normals);
+/// MeshReport::roughness, from unsmoothed vertex normals: what vertex_noise() asks for, or terraces
+/// if that is more, which show in how much more normals turn when smoothed by 1.6 mean edges
+/// instead of 0.8 than by 3.2 instead of 1.6, lower quartiles of a thousand vertices. Smoothing
+/// removes terraces at the finest scale, form at the coarsest. Counts less where most normals are
+/// within 2 degrees of their neighbours' mean; 0 where a mesh is too coarse to tell or has too many
+/// vertices near each other, and if it would be rough but has_large_faces(). Mean edges are times
+/// relative_sizes[v].
+double measure_roughness(const PreparedMesh& mesh, const VertexRanges& ranges,
+                         const SpatialTree& tree, const std::vector<float>& relative_sizes,
+                         const std::vector<Eigen::Vector3d>& normals, const StageProgress& stage);
 
 /// Replaces unit normals by the mean of those around them, weighted by facing_weight(n_q·n_p) and a
 /// Gaussian of the standard deviation `sigma` times relative_sizes[v], local units. Bilateral

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "field/field_steps.h"
-
 #include <algorithm>
+
+#include "field/edge_means.h"
+#include "field/field_steps.h"
 
 namespace laplacian_lines {
 namespace {
@@ -11,42 +12,19 @@ constexpr double kSmallestRatio = 0.25, kLargestRatio = 4;
 // In D. Beyond, nothing changes: no vertex has a neighbour, or all are equally near.
 constexpr double kSmallestKernel = 1e-7, kLargestKernel = 1e4;
 constexpr double kLargestDrawnKernel = 0.04;
-
-/// For each vertex v, the mean of value_of(v, other) over its edges, inner ones once per triangle,
-/// and of start[v] unless that is empty.
-template <class Value>
-std::vector<double> mean_over_edges(const PreparedMesh& mesh, const VertexRanges& ranges,
-                                    const std::vector<double>& start, const StageProgress& stage,
-                                    Value value_of) {
-    std::vector<double> means = start;
-    std::vector<int> counts(mesh.size(), start.empty() ? 0 : 1);
-    means.resize(mesh.size(), 0);
-    ranges.for_each(stage, [&](const VertexRanges::Range& range) {
-        const auto add = [&](std::uint32_t at, std::uint32_t other) {
-            if (!range.holds(at)) return;
-            means[at] += value_of(at, other);
-            ++counts[at];
-        };
-        range.for_each_triangle([&](const Triangle& t) {
-            for (int k = 0; k < 3; ++k) {
-                add(t[k], t[(k + 1) % 3]);
-                add(t[(k + 1) % 3], t[k]);
-            }
-        });
-        for (std::uint32_t v = range.begin(); v < range.end(); ++v)
-            means[v] /= counts[v];
-    });
-    return means;
-}
+// Mean edges. Decimated scans keep features one or two edges wide; what noise asks for, the
+// smoothing of normals does better than a larger kernel.
+constexpr double kLeastEdges = 1;
 
 }  // namespace
 
 double automatic_kernel_size(double mean_edge, double diagonal) {
-    return std::max(2 * mean_edge, 0.0045 * diagonal);
+    return std::max(kLeastEdges * mean_edge, 0.0045 * diagonal);
 }
 
 KernelRange drawn_kernel_range(double mean_edge, double diagonal) {
-    return {2 * mean_edge, std::max(2 * mean_edge, kLargestDrawnKernel * diagonal)};
+    const double least = kLeastEdges * mean_edge;
+    return {least, std::max(least, kLargestDrawnKernel * diagonal)};
 }
 
 double global_kernel_size(const PreparedMesh& mesh, const PrecomputeOptions& options) {
@@ -66,10 +44,7 @@ std::vector<float> relative_kernel_sizes(const PreparedMesh& mesh, const VertexR
         return stage.part(double(i) / (kSmoothingPasses + 1),
                           double(i + 1) / (kSmoothingPasses + 1));
     };
-    std::vector<double> lengths =
-        mean_over_edges(mesh, ranges, {}, part(0), [&](std::uint32_t v, std::uint32_t other) {
-            return (mesh.positions[other] - mesh.positions[v]).norm();
-        });
+    std::vector<double> lengths = mean_edges(mesh, ranges, part(0));
     for (int pass = 0; pass < kSmoothingPasses; ++pass)
         lengths =
             mean_over_edges(mesh, ranges, lengths, part(pass + 1),

@@ -22,12 +22,19 @@ constexpr double kLargestEdge = 0.025;
 // Angles of normals to the mean around them, radians, exceeded by three quarters of them: less is
 // smooth, more is rough if the scales say so.
 constexpr double kSmooth = 0.01, kRough = 0.03;
-// In mean edges. The least is best for scans; above, sigma grows with the roughness, as was best
-// for terraces and noisy smooth forms.
-constexpr double kLeastSigma = 0.8, kLargestSigma = 2.5, kSigmaOfRoughness = 0.7;
-// The least roughness of coarse meshes with noisy facets: smoothed no more than scans.
-constexpr double kOfNoisyFacets = 1;
+// Of terraces; clean meshes have up to 1.1. Between the two, ever more of it counts.
+constexpr double kLeastTerraces = 1.2, kClearTerraces = 1.5;
+// Noise in mean edges: less is left, and none is taken for some. Above, sigma is 1.5 times the
+// root: .47, .67 and .95 mean edges for .1, .2 and .4, as was best on scans and coarse forms.
+constexpr double kLeastNoise = 0.04, kClearNoise = 0.08, kSigmaOfRoot = 1.5;
+// In mean edges: sigma grows with the roughness, as was best for terraces.
+constexpr double kLargestSigma = 2.5, kSigmaOfRoughness = 0.7;
 constexpr double kLongest = 1e4;  // a tenth of a second, in units of pairs_cost()
+
+/// From 0 at `none` to 1 at `all`.
+double ramp(double x, double none, double all) {
+    return std::clamp((x - none) / (all - none), 0., 1.);
+}
 
 /// How far a normal turns: from the triangles' to the first scale, and from each scale to the next.
 using Turns = std::array<double, 3>;
@@ -82,25 +89,27 @@ double roughness_by_scales(const PreparedMesh& mesh, const SpatialTree& tree,
     });
     const double from_triangles = lower_quartile(turns, 0);
     const double finer = lower_quartile(turns, 1), coarser = lower_quartile(turns, 2);
-    const double counts = std::clamp((from_triangles - kSmooth) / (kRough - kSmooth), 0., 1.);
-    return coarser > 0 ? counts * finer / coarser : 0;
+    return coarser > 0 ? ramp(from_triangles, kSmooth, kRough) * finer / coarser : 0;
 }
 
 }  // namespace
 
-double measure_roughness(const PreparedMesh& mesh, const SpatialTree& tree,
-                         const std::vector<float>& relative_sizes,
-                         const std::vector<Eigen::Vector3d>& normals) {
-    const double roughness = roughness_by_scales(mesh, tree, relative_sizes, normals);
+double measure_roughness(const PreparedMesh& mesh, const VertexRanges& ranges,
+                         const SpatialTree& tree, const std::vector<float>& relative_sizes,
+                         const std::vector<Eigen::Vector3d>& normals, const StageProgress& stage) {
+    const double noise = vertex_noise(mesh, ranges, normals, stage);
+    const double terraces = roughness_by_scales(mesh, tree, relative_sizes, normals);
+    const double roughness = std::max(
+        kSigmaOfRoot / kSigmaOfRoughness * std::sqrt(noise) * ramp(noise, kLeastNoise, kClearNoise),
+        terraces * ramp(terraces, kLeastTerraces, kClearTerraces));
     // Where all vertices are on edges, as of plates, the form turns their normals as noise would.
-    if (roughness > kLargestRoughness &&
-        has_large_faces(mesh, CornerTable(mesh.triangles, mesh.size())))
-        return 0;
-    return roughness < kOfNoisyFacets && has_noisy_facets(mesh) ? kOfNoisyFacets : roughness;
+    return roughness > 0 && has_large_faces(mesh, CornerTable(mesh.triangles, mesh.size()))
+               ? 0
+               : roughness;
 }
 
 double automatic_normal_sigma(double roughness) {
-    return std::clamp(kSigmaOfRoughness * roughness, kLeastSigma, kLargestSigma);
+    return std::min(kSigmaOfRoughness * roughness, kLargestSigma);
 }
 
 }  // namespace laplacian_lines

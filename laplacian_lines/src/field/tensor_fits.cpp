@@ -53,9 +53,10 @@ TensorFits::TensorFits(const PreparedMesh& mesh, const SpatialTree& tree, const 
 
 std::vector<float> TensorFits::radii_of(double reach) const {
     const double per_size = field_.scale.kernel_size > 0 ? 1 / field_.scale.kernel_size : 0;
-    const double most_per_size = kMostDerivativeReach * mesh_.mean_edge * per_size;
-    const double longest = std::min(kDerivativeReach / mesh_.diagonal, most_per_size);
-    const double factor = reach / kDerivativeReach * longest;
+    const double longest =
+        std::min(kDerivativeReach * derivative_kernel(field_.scale) / mesh_.diagonal,
+                 kMostDerivativeReach * mesh_.mean_edge);
+    const double factor = reach / kDerivativeReach * longest * per_size;
     std::vector<float> radii = large_array<float>(mesh_.size());
     for_each_element(mesh_.size(), [&](std::size_t v) {
         radii[v] = float(factor * field_.kernel_sizes[mesh_.original_vertex[v]]);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -29,7 +30,12 @@ private:
     std::vector<TensorLeaf> packed_;
 };
 
-/// In √h, for C: the spread of the weights is that of a kernel of 0.85 √h.
+/// √h of C and S̄, mesh units: fits need more vertices than the Laplacian's sums do.
+inline double derivative_kernel(const FieldScale& scale) {
+    return std::max(scale.kernel_size, 2 * scale.mean_edge);
+}
+
+/// In derivative_kernel(), for C: the spread of the weights is that of a kernel of 0.85 √h.
 constexpr double kDerivativeReach = 3.4;
 /// Reach for C, in mean edges: a larger one is slower, not better. Smaller ones are cut as much.
 constexpr double kMostDerivativeReach = 16;
@@ -50,8 +56,8 @@ public:
     /// Keeps references.
     TensorFits(const PreparedMesh& mesh, const SpatialTree& tree, const Field& field);
 
-    /// Calls take(v, fit), on any thread, for each vertex that has a fit within `reach` √h; for
-    /// none where the sums would take seconds.
+    /// Calls take(v, fit), on any thread, for each vertex that has a fit within `reach` kernels;
+    /// for none where the sums would take seconds.
     template <class Take>
     void for_each(double reach, const StageProgress& stage, const Take& take) const {
         const std::vector<float> radii = radii_of(reach);

@@ -54,8 +54,8 @@ const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table
     static const std::vector<OptionDescription<O>> table = {
         row<&O::kernel_size>("kernel_size", "Kernel Size", OptionKind::Length, 0, kUnlimited,
                              "Size of the features that the lines show, &radic;h, in mesh units: "
-                             "larger gives fewer and smoother lines. 0 means automatic: 2 mean "
-                             "edges, but at least 0.45 % of the diagonal."),
+                             "larger gives fewer and smoother lines. 0 means automatic: a mean "
+                             "edge, but at least 0.45 % of the diagonal."),
         choice<&O::kernel_mode>(
             "kernel_mode", "Kernel", {"Uniform", "Adaptive"},
             "Uniform: one size everywhere. Adaptive: it and the smoothing of normals follow the "
@@ -77,8 +77,8 @@ const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table
             "normals are not changed. Bilateral keeps sharp edges."),
         real<&O::normal_sigma>(
             "normal_sigma", "Normal Smoothing Sigma", 0, 100,
-            "In mean edge lengths. 0 means automatic: 0.8, and up to 2.5 on rough meshes, such as "
-            "those from segmented volumes; the log says what was chosen."),
+            "In mean edge lengths. 0 means automatic: none on clean meshes, and up to 2.5 on noisy "
+            "ones and terraces of segmented volumes; the log says what was chosen."),
         real<&O::bilateral_angle>("bilateral_angle", "Bilateral Angle", 0.1, 180,
                                   "For bilateral smoothing: angle in degrees between two normals "
                                   "at which they hardly influence each other any more."),

@@ -20,6 +20,8 @@ namespace {
 
 // In D: meshes with longer mean edges have many coarse triangles, unless they are rough.
 constexpr double kLargestSmoothMeanEdge = 0.025;
+// Of the smoothing of normals, in its deviations: it takes contours as far as so much longer edges.
+constexpr double kEdgeOfSigma = 1.25;
 
 /// A. van Oosterom, J. Strackee, "The Solid Angle of a Plane Triangle", 1983. Positive from behind.
 double solid_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
@@ -126,7 +128,7 @@ double sight_edge(const Field& field) {
     const FieldScale& scale = field.scale;
     if (scale.mean_edge > kLargestSmoothMeanEdge * scale.diagonal && !is_rough(field.report))
         return 0;
-    return std::max(scale.mean_edge, scale.normal_sigma / automatic_normal_sigma(0));
+    return std::max(scale.mean_edge, kEdgeOfSigma * scale.normal_sigma);
 }
 
 LineSet extract_on_surface(const LineExtractor& extractor, const View& view, const LineStyle& style,

@@ -57,7 +57,7 @@ class Surface:
         """Of the whole mesh, by name.
 
         In its unit: diagonal (of the bounding box), mean_edge, kernel_size √h and normal_sigma (of smoothing), as they were
-        used. Without unit: roughness (scans have up to 1.1). Numbers of what was left out: non_finite_vertices,
+        used. Without unit: roughness (of clean meshes 0). Numbers of what was left out: non_finite_vertices,
         unreferenced_vertices, degenerate_triangles; of welded_vertices; of turned_triangles, which faced inwards or unlike
         their neighbours and are read the right way round: normals are those of the mesh that results; and
         undone_subdivisions, how often all triangles had been cut in four at the middles of their sides: fields and lines
