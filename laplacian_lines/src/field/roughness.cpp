@@ -99,13 +99,15 @@ double measure_roughness(const PreparedMesh& mesh, const VertexRanges& ranges,
                          const std::vector<Eigen::Vector3d>& normals, const StageProgress& stage) {
     const double noise = vertex_noise(mesh, ranges, normals, stage);
     const double terraces = roughness_by_scales(mesh, tree, relative_sizes, normals);
-    const double roughness = std::max(
-        kSigmaOfRoot / kSigmaOfRoughness * std::sqrt(noise) * ramp(noise, kLeastNoise, kClearNoise),
-        terraces * ramp(terraces, kLeastTerraces, kClearTerraces));
-    // Where all vertices are on edges, as of plates, the form turns their normals as noise would.
-    return roughness > 0 && has_large_faces(mesh, CornerTable(mesh.triangles, mesh.size()))
-               ? 0
-               : roughness;
+    const double of_noise =
+        kSigmaOfRoot / kSigmaOfRoughness * std::sqrt(noise) * ramp(noise, kLeastNoise, kClearNoise);
+    const double of_terraces = terraces * ramp(terraces, kLeastTerraces, kClearTerraces);
+    if (of_noise == 0 && of_terraces == 0) return 0;
+    const CornerTable sides(mesh.triangles, mesh.size());
+    // Noise leaves no flat faces; small forms of what was made seem noisy. Where all vertices are
+    // on edges, as of plates, the form turns their normals as terraces would.
+    if (has_large_faces(mesh, sides)) return 0;
+    return is_made(mesh, sides) ? of_terraces : std::max(of_noise, of_terraces);
 }
 
 double automatic_normal_sigma(double roughness) {
