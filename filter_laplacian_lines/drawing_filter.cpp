@@ -63,8 +63,9 @@ QString freeName(const QString& name, const std::vector<line_drawing::SourceMesh
     QString result = name;
     for (int number = 2;; ++number) {
         QFile file(result);
-        file.open(QIODevice::ReadOnly);
-        if (!line_drawing::isOfOthers(file.readAll().toStdString(), meshes)) return result;
+        if (!file.open(QIODevice::ReadOnly) ||
+            !line_drawing::isOfOthers(file.readAll().toStdString(), meshes))
+            return result;
         result = info.dir().filePath(
             QString("%1_%2.%3").arg(info.completeBaseName()).arg(number).arg(info.suffix()));
     }

@@ -43,7 +43,6 @@ load torus.ply
 expect-action Laplacian Lines unchecked
 {SHOW_LINES}expect-action Laplacian Lines checked
 expect-log Laplacian Lines: torus.ply: computed with the default options
-setdeco At Rest = 1
 frame 40 25
 grab lines.png
 drag 0.5 0.5 0.7 0.62

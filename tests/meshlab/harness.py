@@ -100,12 +100,13 @@ def drive_to_failure(regex, script, stage=None):
     expect_text("log", f"meshlab_driver: error: .*{regex}")
 
 
-# Nothing but meshes and the current layer's lines in the view.
+# Nothing but meshes and the current layer's lines in the view, live, so that it does not matter when a picture is taken.
 SHOW_LINES = """size 500x400
 check Show Info Panel off
 check Show Trackball off
 draw-lines
 setdeco Line Color = #ff0000
+setdeco At Rest = 1
 """
 
 
