@@ -22,7 +22,7 @@ TEST(Kernels, OfDrawingsAreWithinTheirRange) {
         EXPECT_NEAR(measure_scale(mesh, options).kernel_size,
                     std::min(std::max(wanted, range.least), range.most), 1e-9 * range.most);
     }
-    EXPECT_EQ(drawn_kernel_range(0.1, 1).most, 0.1);
+    EXPECT_DOUBLE_EQ(drawn_kernel_range(0.1, 1).most, 0.13);
 }
 
 }  // namespace

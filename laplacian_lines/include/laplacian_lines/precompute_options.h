@@ -30,7 +30,7 @@ enum class GradientEstimator {
 /// length of the mesh, D the diagonal of its bounding box. Names, limits and help: option_table.h.
 struct PrecomputeOptions {
     /// √h, mesh units; the Gaussian of Eq. 2 has the standard deviation √2·√h. 0: automatic,
-    /// max(ē, 0.45 % of D).
+    /// max(1.3 ē, 0.45 % of D).
     double kernel_size = 0;
     /// If > 0, the √h for a drawing at a given size, mesh units, instead of kernel_size, within
     /// drawn_kernel_range(). An automatic normal_sigma is then at least a quarter of it.

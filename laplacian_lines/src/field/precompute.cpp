@@ -46,9 +46,10 @@ double chosen_normal_sigma(const PreparedMesh& mesh, const PrecomputeOptions& op
                : options.normal_sigma * mesh.mean_edge;
 }
 
-/// From 0 where the kernel is a mean edge or less; local units.
+/// From 0 where the kernel is the least for these edges; local units.
 double least_sigma(double kernel_size, double mean_edge) {
-    const double fineness = kernel_size * kernel_size - mean_edge * mean_edge;
+    const double least = drawn_kernel_range(mean_edge, 1).least;
+    const double fineness = kernel_size * kernel_size - least * least;
     return std::min(kFineSigma * mean_edge, kSigmaOfFineness * std::sqrt(std::max(fineness, 0.)));
 }
 
