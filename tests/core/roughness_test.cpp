@@ -53,7 +53,7 @@ TEST(Roughness, LeavesSmoothingToTheKernelOfFineMeshes) {
     const TriangleMesh mesh = test_meshes::sphere(5).mesh;
     PrecomputeOptions options;
     for (const auto& [edges, sigma] :
-         {std::pair(1., 0.), {1.2, 0.75 * std::sqrt(0.44)}, {4., 0.8}}) {
+         {std::pair(1.3, 0.), {1.5, 0.75 * std::sqrt(0.56)}, {4., 0.8}}) {
         options.kernel_size = edges * measure_scale(mesh).mean_edge;
         EXPECT_NEAR(sigma_of(precompute(mesh, options)), sigma, 1e-6);
     }
