@@ -324,6 +324,7 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
         const bool waits =
             tiles > 1 || (layer.widget && layer.widget->property(waits_property).toBool());
         const Print print = prints_.demand(view, layer.widget, *printed, waits);
+        if (!print.lack.isEmpty()) say(QString("%1: %2: %3").arg(title, mesh.label(), print.lack));
         if (print.picture) {
             const auto whole = printed->window.to_clip * layer.placement.to_eye.inverse();
             drawing_.draw(layer, print.picture, placeInTile(whole, camera.projection, tiles),
