@@ -7,16 +7,23 @@
 #include <utility>
 
 #include "laplacian_lines/error.h"
+#include "meshlab_host/camera.h"
 
 namespace {
 
 constexpr int milliseconds_at_rest = 150;
 
+/// But for rounding: in floats, MeshLab computes that of a snapshot in another way.
+bool areEqual(const Eigen::Matrix4d& projection, const Eigen::Matrix4d& other) {
+    return meshlab_host::isOrthographic(projection) == meshlab_host::isOrthographic(other) &&
+           projection.topRows<2>().isApprox(other.topRows<2>(), 1e-6);
+}
+
 }  // namespace
 
 bool PrintedView::operator==(const PrintedView& other) const {
-    return lines == other.lines && chosen == other.chosen &&
-           window.to_clip == other.window.to_clip && window.size == other.window.size &&
+    return lines == other.lines && chosen == other.chosen && to_eye == other.to_eye &&
+           areEqual(projection, other.projection) && window.size == other.window.size &&
            window.pixels_per_mm == other.window.pixels_per_mm;
 }
 

@@ -16,7 +16,8 @@
 /// What decides the picture of a view.
 struct PrintedView {
     PreparedLinesPointer lines;  ///< with a scene
-    line_drawing::WindowView window;
+    Eigen::Matrix4d to_eye, projection;
+    line_drawing::WindowView window;  ///< of these
     line_drawing::SheetOptions options;
     std::vector<double> chosen;  ///< the parameters that made the options
 

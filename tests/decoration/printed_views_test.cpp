@@ -25,9 +25,9 @@ protected:
         Eigen::Affine3d to_eye(
             Eigen::AngleAxisd(degrees * std::acos(-1) / 180, Eigen::Vector3d::UnitY()));
         to_eye.translate(Eigen::Vector3d(-0.5, -0.5, 0));
-        PrintedView view{lines_, {}, {}, {degrees}};
-        view.window = *windowOf(to_eye.matrix(), Eigen::Vector4d(1.5, 1.5, -0.1, 1).asDiagonal(),
-                                {400, 400}, pixels_per_mm);
+        const Eigen::Matrix4d projection = Eigen::Vector4d(1.5, 1.5, -0.1, 1).asDiagonal();
+        PrintedView view{lines_, to_eye.matrix(), projection, {}, {}, {degrees}};
+        view.window = *windowOf(view.to_eye, projection, {400, 400}, pixels_per_mm);
         view.options.style = line_drawing::styleOnPaper();
         return view;
     }
@@ -74,6 +74,15 @@ TEST_F(PrintedViewsTest, ComeOnceTheViewIsAtRestAndHaveItRedrawn) {
     EXPECT_GT(widget_.redraws(), before);
     prints_ = std::make_unique<PrintedViews>();
     EXPECT_EQ(demand(turned(30), true).picture->grays, picture->grays);
+}
+
+TEST_F(PrintedViewsTest, StayForASnapshotOfOneTile) {
+    PrintedView view = turned(20);
+    const Print print = demand(view, true);
+    view.projection(0, 0) = std::nextafterf(1.5f, 2);
+    EXPECT_EQ(demand(view).picture, print.picture);
+    view.projection(0, 0) *= 1.001;
+    EXPECT_FALSE(demand(view).picture);
 }
 
 TEST_F(PrintedViewsTest, AreGivenUpWhenTheViewMoves) {
