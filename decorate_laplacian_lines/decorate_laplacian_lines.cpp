@@ -293,10 +293,13 @@ std::optional<PrintedView> DecorateLaplacianLines::printedView(const MeshModel& 
         projection.topRows<2>() /= tiles;
     }
     const double pen = options.pens[std::size_t(line_drawing::LineClass::Inner)];
-    auto window = windowOf(layer.placement.to_eye, projection, int(tiles) * viewportSize(),
+    const Eigen::Vector2i size = int(tiles) * viewportSize();
+    if (size.maxCoeff() > line_renderer::PictureRenderer::largestSide()) return std::nullopt;
+    auto window = windowOf(layer.placement.to_eye, projection, size,
                            chosen.line_width * layer.placement.pixel_scale / pen);
     if (!window) return std::nullopt;
-    PrintedView printed{lines, std::move(*window), std::move(options), {}};
+    PrintedView printed{
+        lines, layer.placement.to_eye, projection, std::move(*window), std::move(options), {}};
     for (const auto& row : decorationTable())
         if (const auto* number = std::get_if<DecorationRow>(&row))
             printed.chosen.push_back(number->get(chosen));
@@ -324,10 +327,10 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
         const bool waits =
             tiles > 1 || (layer.widget && layer.widget->property(waits_property).toBool());
         const Print print = prints_.demand(view, layer.widget, *printed, waits);
+        if (!print.lack.isEmpty()) say(QString("%1: %2: %3").arg(title, mesh.label(), print.lack));
         if (print.picture) {
-            const auto whole = printed->window.to_clip * layer.placement.to_eye.inverse();
-            drawing_.draw(layer, print.picture, placeInTile(whole, camera.projection, tiles),
-                          chosen);
+            drawing_.draw(layer, print.picture,
+                          placeInTile(printed->projection, camera.projection, tiles), chosen);
             return chosen.show_statistics
                        ? QString("printed drawing, %1 ms").arg(print.milliseconds, 0, 'f', 0)
                        : QString();

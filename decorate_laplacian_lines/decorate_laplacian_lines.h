@@ -59,7 +59,7 @@ private:
     DecorationParameters last_good_;
     LineCache cache_;
     KeptLines kept_;
-    PrintedViews prints_{[this](const QString& lack) { say(lack); }};
+    PrintedViews prints_;
     std::map<const MeshDocument*, std::set<int>>
         known_layers_;  ///< of the documents that are watched
     /// What was said last of meshes without lines, by log, which is never followed, and mesh.

@@ -2,6 +2,7 @@
 #include "printed_scene.h"
 
 #include <Eigen/LU>
+#include <cmath>
 
 #include "meshlab_host/camera.h"
 #include "meshlab_host/field_source.h"

@@ -4,23 +4,30 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <new>
-#include <system_error>
+#include <utility>
 
 #include "laplacian_lines/error.h"
+#include "meshlab_host/camera.h"
 
 namespace {
 
 constexpr int milliseconds_at_rest = 150;
 
+/// But for rounding: in floats, MeshLab computes that of a snapshot in another way.
+bool areEqual(const Eigen::Matrix4d& projection, const Eigen::Matrix4d& other) {
+    return meshlab_host::isOrthographic(projection) == meshlab_host::isOrthographic(other) &&
+           projection.topRows<2>().isApprox(other.topRows<2>(), 1e-6);
+}
+
 }  // namespace
 
 bool PrintedView::operator==(const PrintedView& other) const {
-    return lines == other.lines && chosen == other.chosen &&
-           window.to_clip == other.window.to_clip && window.size == other.window.size &&
+    return lines == other.lines && chosen == other.chosen && to_eye == other.to_eye &&
+           areEqual(projection, other.projection) && window.size == other.window.size &&
            window.pixels_per_mm == other.window.pixels_per_mm;
 }
 
-PrintedViews::PrintedViews(std::function<void(const QString&)> say) : say_(std::move(say)) {
+PrintedViews::PrintedViews() {
     rest_.setSingleShot(true);
     QObject::connect(&rest_, &QTimer::timeout, &rest_, [this] { startNext(); });
     // The thread must end before the program tears down what it uses.
@@ -52,8 +59,11 @@ Print PrintedViews::demand(View view, QWidget* widget, const PrintedView& wanted
         now.what = wanted;
         run(now);
         keep(now);
+        rest_.start(milliseconds_at_rest);  // for another view, whose drawing this has stopped
     }
-    return entry.print;
+    Print print = entry.print;
+    entry.print.lack.clear();
+    return print;
 }
 
 void PrintedViews::forget(View view) {
@@ -70,12 +80,12 @@ void PrintedViews::run(Running& running) noexcept {
             [&](double, const char*) { return !running.is_given_up; });
         running.print.milliseconds = 1e-6 * double(clock.nsecsElapsed());
     } catch (const std::bad_alloc&) {
-        running.failure = "There is not enough memory for the printed drawing.";
+        running.print.lack = "There is not enough memory for the printed drawing.";
     } catch (const laplacian_lines::Error& error) {
         if (error.code() != laplacian_lines::ErrorCode::Cancelled)
-            running.failure = QString::fromUtf8(error.what());
+            running.print.lack = QString::fromUtf8(error.what());
     } catch (const std::exception& error) {
-        running.failure = QString::fromUtf8(error.what());
+        running.print.lack = QString::fromUtf8(error.what());
     }
 }
 
@@ -83,24 +93,25 @@ void PrintedViews::startNext() {
     if (is_stopped_ || running_) return;
     for (const auto& [view, entry] : entries_) {
         if (!entry.isDue()) continue;
-        running_ = std::make_unique<Running>();
-        running_->view = view;
-        running_->what = entry.wanted;
         try {
-            thread_ = std::thread([this, running = running_.get()] {
+            auto next = std::make_unique<Running>();
+            next->view = view;
+            next->what = entry.wanted;
+            thread_ = std::thread([this, running = next.get()] {
                 run(*running);
+                running->is_over = true;
                 QMetaObject::invokeMethod(
                     &rest_, [this] { finish(); }, Qt::QueuedConnection);
             });
-        } catch (const std::system_error&) {
-            running_.reset();
+            running_ = std::move(next);
+        } catch (const std::exception&) {  // no thread: lines stay live
         }
         return;
     }
 }
 
 void PrintedViews::finish() {
-    if (!thread_.joinable()) return;  // stopped in between
+    if (!running_ || !running_->is_over) return;  // it was stopped, and perhaps another began
     thread_.join();
     const std::unique_ptr<Running> done = std::move(running_);
     keep(*done);
@@ -119,7 +130,7 @@ void PrintedViews::keep(const Running& done) {
     if (found == entries_.end() || !(found->second.wanted == done.what)) return;
     Entry& entry = found->second;
     entry.print = done.print;
-    entry.has_failed = !done.failure.isEmpty();
-    if (entry.has_failed) say_(done.failure);
-    if (entry.print.picture && entry.widget) entry.widget->update();
+    entry.has_failed = !done.print.lack.isEmpty();
+    if (std::exchange(entry.told, done.print.lack) == done.print.lack) entry.print.lack.clear();
+    if ((entry.print.picture || entry.has_failed) && entry.widget) entry.widget->update();
 }

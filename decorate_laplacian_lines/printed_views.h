@@ -5,7 +5,6 @@
 #include <QTimer>
 #include <QWidget>
 #include <atomic>
-#include <functional>
 #include <map>
 #include <memory>
 #include <thread>
@@ -17,7 +16,8 @@
 /// What decides the picture of a view.
 struct PrintedView {
     PreparedLinesPointer lines;  ///< with a scene
-    line_drawing::WindowView window;
+    Eigen::Matrix4d to_eye, projection;
+    line_drawing::WindowView window;  ///< of these
     line_drawing::SheetOptions options;
     std::vector<double> chosen;  ///< the parameters that made the options
 
@@ -27,6 +27,7 @@ struct PrintedView {
 struct Print {
     line_renderer::InkPicturePointer picture;  ///< null: none
     double milliseconds = 0;                   ///< that it took
+    QString lack;                              ///< why there is none, when that is news
 };
 
 /// Views as they would be printed: each is drawn by a thread once it has not changed for a while.
@@ -35,14 +36,14 @@ class PrintedViews {
 public:
     using View = const void*;  ///< a name, never followed
 
-    /// `say` is told on the GUI thread what a drawing lacked.
-    explicit PrintedViews(std::function<void(const QString&)> say);
+    PrintedViews();
     ~PrintedViews();  ///< gives up, and waits for the thread
     PrintedViews(const PrintedViews&) = delete;
     PrintedViews& operator=(const PrintedViews&) = delete;
 
-    /// The print, if it is ready. If not, the widget, which may be null, is redrawn when it is, or
-    /// with `waits` it is drawn now. None if there is none yet, or cannot be.
+    /// The print, if it is ready. If not, the widget, which may be null, is redrawn when it is or
+    /// when it is known to lack something, or with `waits` it is drawn now. None if there is none
+    /// yet, or cannot be.
     Print demand(View view, QWidget* widget, const PrintedView& wanted, bool waits);
     void forget(View view);
 
@@ -52,15 +53,15 @@ private:
         QPointer<QWidget> widget;
         Print print;
         bool has_failed = false;
+        QString told;  ///< what the last one lacked
 
         bool isDue() const { return !print.picture && !has_failed; }
     };
     struct Running {
         View view;
         PrintedView what;
-        std::atomic<bool> is_given_up{false};
-        Print print;
-        QString failure;  ///< empty if it was given up
+        std::atomic<bool> is_given_up{false}, is_over{false};
+        Print print;  ///< lacks nothing if it was given up
     };
 
     static void run(Running& running) noexcept;
@@ -69,7 +70,6 @@ private:
     void stop();
     void keep(const Running& done);
 
-    const std::function<void(const QString&)> say_;
     std::map<View, Entry> entries_;
     std::unique_ptr<Running> running_;
     std::thread thread_;

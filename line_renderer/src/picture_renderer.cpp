@@ -33,12 +33,12 @@ void main()
 struct PictureRenderer::Objects {
     ShaderProgram program{"The drawing cannot be shown", vertex_shader, fragment_shader};
     GLuint texture = 0;
-    InkPicturePointer shown;
+    std::weak_ptr<const InkPicture> shown;  ///< in the texture
 
     void load(const InkPicturePointer& picture) {
         if (texture == 0) glGenTextures(1, &texture);
         glBindTexture(GL_TEXTURE_2D, texture);
-        if (picture == shown) return;
+        if (picture == shown.lock()) return;
         glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
         glTexImage2D(GL_TEXTURE_2D, 0, GL_LUMINANCE8, picture->size.x(), picture->size.y(), 0,
@@ -53,6 +53,12 @@ struct PictureRenderer::Objects {
 PictureRenderer::PictureRenderer() : objects_(std::make_unique<PerShareGroup<Objects>>()) {}
 
 PictureRenderer::~PictureRenderer() = default;
+
+int PictureRenderer::largestSide() {
+    GLint side = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side);
+    return side;
+}
 
 void PictureRenderer::paint(const InkPicturePointer& picture, const QColor& ink,
                             const PicturePlace& place) {

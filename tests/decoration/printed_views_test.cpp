@@ -25,9 +25,9 @@ protected:
         Eigen::Affine3d to_eye(
             Eigen::AngleAxisd(degrees * std::acos(-1) / 180, Eigen::Vector3d::UnitY()));
         to_eye.translate(Eigen::Vector3d(-0.5, -0.5, 0));
-        PrintedView view{lines_, {}, {}, {degrees}};
-        view.window = *windowOf(to_eye.matrix(), Eigen::Vector4d(1.5, 1.5, -0.1, 1).asDiagonal(),
-                                {400, 400}, pixels_per_mm);
+        const Eigen::Matrix4d projection = Eigen::Vector4d(1.5, 1.5, -0.1, 1).asDiagonal();
+        PrintedView view{lines_, to_eye.matrix(), projection, {}, {}, {degrees}};
+        view.window = *windowOf(view.to_eye, projection, {400, 400}, pixels_per_mm);
         view.options.style = line_drawing::styleOnPaper();
         return view;
     }
@@ -49,9 +49,7 @@ protected:
     CMeshO mesh_;
     PreparedLinesPointer lines_;
     CountingWidget widget_;
-    QStringList said_;
-    std::unique_ptr<PrintedViews> prints_ =
-        std::make_unique<PrintedViews>([this](const QString& lack) { said_ << lack; });
+    std::unique_ptr<PrintedViews> prints_ = std::make_unique<PrintedViews>();
 };
 
 TEST_F(PrintedViewsTest, AreThereAtOnceForThoseWhoWait) {
@@ -74,8 +72,17 @@ TEST_F(PrintedViewsTest, ComeOnceTheViewIsAtRestAndHaveItRedrawn) {
     ASSERT_TRUE(picture);
     wait(50);
     EXPECT_GT(widget_.redraws(), before);
-    prints_ = std::make_unique<PrintedViews>([](const QString&) {});
+    prints_ = std::make_unique<PrintedViews>();
     EXPECT_EQ(demand(turned(30), true).picture->grays, picture->grays);
+}
+
+TEST_F(PrintedViewsTest, StayForASnapshotOfOneTile) {
+    PrintedView view = turned(20);
+    const Print print = demand(view, true);
+    view.projection(0, 0) = std::nextafterf(1.5f, 2);
+    EXPECT_EQ(demand(view).picture, print.picture);
+    view.projection(0, 0) *= 1.001;
+    EXPECT_FALSE(demand(view).picture);
 }
 
 TEST_F(PrintedViewsTest, AreGivenUpWhenTheViewMoves) {
@@ -91,12 +98,32 @@ TEST_F(PrintedViewsTest, AreGivenUpWhenTheViewMoves) {
     prints_.reset();  // while one is due
 }
 
+TEST_F(PrintedViewsTest, GoOnWithAViewWhenAnotherHasWaited) {
+    const auto demandOther = [&] { return prints_->demand(&mesh_, &widget_, turned(40), false); };
+    EXPECT_FALSE(demand(turned(20)).picture);
+    EXPECT_FALSE(demandOther().picture);
+    QElapsedTimer clock;
+    for (clock.start(); clock.elapsed() < 155;)  // until one of them has begun
+        wait(1);
+    EXPECT_TRUE(demand(turned(20), true).picture);
+    for (clock.start(); !demandOther().picture && clock.elapsed() < 20000;)
+        wait(5);
+    EXPECT_TRUE(demandOther().picture);
+}
+
 TEST_F(PrintedViewsTest, SayOnceWhatTheyLack) {
     PrintedView inside = turned(0);
     inside.window.frame.eye = Eigen::Vector3d(0.5, 0.5, -1);  // before which there is nothing
-    EXPECT_FALSE(demand(inside, true).picture);
-    EXPECT_FALSE(demand(inside, true).picture);
-    EXPECT_EQ(said_.size(), 1);
+    EXPECT_FALSE(demand(inside, true).lack.isEmpty());
+    EXPECT_TRUE(demand(inside, true).lack.isEmpty());
+    inside.chosen = {1};
+    EXPECT_TRUE(demand(inside, true).lack.isEmpty()) << "the same as last time";
+    demand(turned(20), true);
+    const int before = widget_.redraws();
+    EXPECT_FALSE(demand(inside).picture);
+    wait(1000);
+    EXPECT_GT(widget_.redraws(), before) << "so that it can be told";
+    EXPECT_FALSE(demand(inside).lack.isEmpty());
 }
 
 TEST(WindowOf, IsNoneWhereLengthsDependOnTheDirection) {

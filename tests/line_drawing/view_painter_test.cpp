@@ -125,13 +125,17 @@ TEST(ViewPainter, PaintsWhatIsPrintedInPerspective) {
 }
 
 TEST(ViewPainter, GivesUpAtOnceAndGoesOnLater) {
-    const laplacian_lines::TriangleMesh mesh = vessel();
+    const laplacian_lines::TriangleMesh mesh = test_meshes::thrown_vessel({50, 60});
     const SheetOptions options = plain("front");
-    const WindowView window = windowOf(options.views[0], side / pixels_per_mm, 0);
-    ViewPainter painter({{mesh}});
-    const GrayPicture whole = painter.paint(window, options);
-    for (const double end : {0.0, 0.2, 0.5, 0.8}) {
-        ViewPainter other({{mesh}});
+    WindowView window = windowOf(options.views[0], 3 * boundsOf(mesh).diagonal().norm(), 0);
+    window.size = {800, 800};
+    laplacian_lines::TriangleMesh beside = mesh;
+    for (Eigen::Vector3d& p : beside.positions)
+        p.x() += 2 * boundsOf(mesh).sizes().x();
+    const Objects objects = {{mesh}, {beside}};
+    const GrayPicture whole = ViewPainter(objects).paint(window, options);
+    for (const double end : {0.0, 0.2, 0.5, 0.6, 0.8}) {
+        ViewPainter other(objects);
         const auto until = [=](double done, const char*) { return done < end; };
         EXPECT_THROW(other.paint(window, options, until), laplacian_lines::Error) << end;
         EXPECT_EQ(other.paint(window, options).grays, whole.grays) << end;

@@ -61,6 +61,7 @@ snapshot tiles.png 2
 setdeco At Rest = 0
 sleep 4000
 grab printed.png
+snapshot printed_snapshot.png 1
 wait-for-drawings
 snapshot printed_tiles.png 2
 drag 0.5 0.5 0.7 0.62
@@ -107,6 +108,7 @@ expect(red_pixels("Detail0.png") < red_pixels("lines.png") < red_pixels("Detail1
 expect_same_picture("AtRest1.png", "lines.png")
 expect_other_picture("AtRest0.png", "lines.png")
 expect_same_picture("AtRest0.png", "printed.png")
+expect_same_picture("printed_snapshot.png", "printed.png")
 expect(red_pixels("second_plain.png") == 0, "a new view has lines before they are switched on")
 for mode in MODES:
     expect_same_picture(f"{mode}_plain.png", f"{mode}_after.png")

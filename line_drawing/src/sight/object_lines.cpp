@@ -64,7 +64,7 @@ void ObjectLines::makeReady(const SheetOptions& options, double scale, const Pro
     const bool are_equal = std::abs(wanted.drawn_kernel_size - made_.drawn_kernel_size) <=
                                same_kernel * made_.drawn_kernel_size &&
                            (made_.curvature_derivatives || !wanted.curvature_derivatives);
-    if (!extractors_.empty() && (are_given || are_equal)) return;
+    if (extractors_.size() == objects_.size() && (are_given || are_equal)) return;
     extractors_.clear();
     kernel_size_ = 0;
     remarks_.clear();

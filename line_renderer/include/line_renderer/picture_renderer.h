@@ -27,12 +27,15 @@ struct PicturePlace {
     Eigen::Vector2d shift = {0, 0};
 };
 
-/// Lays pictures over the view. Keeps the last one in OpenGL's memory and its state. GUI thread
-/// only.
+/// Lays pictures over the view. Keeps the last one in OpenGL's memory, and OpenGL's state. GUI
+/// thread only.
 class PictureRenderer {
 public:
     PictureRenderer();
     ~PictureRenderer();
+
+    /// Of pictures that the current context can show, pixels.
+    static int largestSide();
 
     /// @throws std::runtime_error if OpenGL cannot do it
     void paint(const InkPicturePointer& picture, const QColor& ink, const PicturePlace& place);
