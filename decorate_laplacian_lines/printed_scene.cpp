@@ -2,7 +2,6 @@
 #include "printed_scene.h"
 
 #include <Eigen/LU>
-#include <cmath>
 
 #include "meshlab_host/camera.h"
 #include "meshlab_host/field_source.h"
@@ -34,14 +33,11 @@ std::optional<line_drawing::WindowView> windowOf(const Eigen::Matrix4d& to_eye,
                                                  const Eigen::Matrix4d& projection,
                                                  const Eigen::Vector2i& size,
                                                  double pixels_per_mm) {
-    constexpr double tolerance = 1e-4;  // MeshLab's transformations are floats
-    const Eigen::Matrix4d to_mesh = to_eye.inverse();
-    const Eigen::Matrix3d linear = to_mesh.topLeftCorner<3, 3>();
-    const Eigen::Matrix3d axes = linear / std::cbrt(linear.determinant());
-    if (!(linear.determinant() > 0) || !(axes.transpose() * axes).isIdentity(tolerance))
-        return std::nullopt;
-    line_drawing::ViewFrame frame{line_drawing::Side::Other, "View", axes.col(0).normalized(),
-                                  axes.col(1).normalized(), axes.col(2).normalized()};
-    if (!meshlab_host::isOrthographic(projection)) frame.eye = to_mesh.col(3).head<3>();
+    const std::optional<meshlab_host::Similarity> similarity = meshlab_host::similarityOf(to_eye);
+    if (!similarity) return std::nullopt;
+    const Eigen::Matrix3d& axes = similarity->rotation;
+    line_drawing::ViewFrame frame{line_drawing::Side::Other, "View", axes.row(0).normalized(),
+                                  axes.row(1).normalized(), axes.row(2).normalized()};
+    if (!meshlab_host::isOrthographic(projection)) frame.eye = to_eye.inverse().col(3).head<3>();
     return line_drawing::WindowView{frame, projection * to_eye, size, pixels_per_mm};
 }

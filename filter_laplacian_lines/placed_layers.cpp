@@ -19,11 +19,9 @@ using laplacian_lines::Field;
 using laplacian_lines::Progress;
 using laplacian_lines::ShapeOperator;
 using meshlab_host::FilterRun;
+using meshlab_host::Similarity;
 
 namespace {
-
-/// MeshLab's transformations are floats.
-constexpr double tolerance = 1e-4;
 
 Eigen::Matrix3f matrixOf(const ShapeOperator& s) {
     Eigen::Matrix3f matrix;
@@ -46,7 +44,7 @@ laplacian_lines::Field fieldOfStretched(const laplacian_lines::TriangleMesh& mes
 
 PlacedLayer placeInWorld(const MeshModel& layer, const FilterRun& run, const Progress& progress) {
     const Eigen::Matrix4d transform = meshlab_host::layerTransform(layer.cm);
-    const std::optional<Similarity> similarity = similarityOf(transform);
+    const std::optional<Similarity> similarity = meshlab_host::similarityOf(transform);
     const meshlab_host::FieldSource source = meshlab_host::fieldSource(layer.cm);
     PlacedLayer result{layer.label(), meshlab_host::toTriangleMesh(layer.cm), {}};
     if (source.status != meshlab_host::FieldStatus::Current) {
@@ -95,15 +93,6 @@ void placeAllVisible(const FilterRun& run, double share, PlacedLayers& placed) {
 }
 
 }  // namespace
-
-std::optional<Similarity> similarityOf(const Eigen::Matrix4d& layer) {
-    const Eigen::Matrix3d linear = layer.topLeftCorner<3, 3>();
-    const double factor = std::cbrt(linear.determinant());
-    if (!(factor > 0) || !std::isfinite(factor)) return std::nullopt;
-    const Eigen::Matrix3d rotation = linear / factor;
-    if (!(rotation.transpose() * rotation).isIdentity(tolerance)) return std::nullopt;
-    return Similarity{rotation, factor};
-}
 
 void place(const Eigen::Matrix4d& layer, laplacian_lines::TriangleMesh& mesh) {
     const Eigen::Matrix3d linear = layer.topLeftCorner<3, 3>();

@@ -9,23 +9,15 @@
 #include "laplacian_lines/field.h"
 #include "laplacian_lines/triangle_mesh.h"
 #include "line_drawing/object.h"
+#include "meshlab_host/camera.h"
 #include "meshlab_host/filter.h"
-
-/// x' = factor · rotation · x; without the translation.
-struct Similarity {
-    Eigen::Matrix3d rotation;
-    double factor;
-};
-
-/// None if the layer's transformation stretches, shears or reflects.
-std::optional<Similarity> similarityOf(const Eigen::Matrix4d& layer);
 
 /// Moves a layer's mesh into the world. Reflected faces keep their outside.
 /// @throws laplacian_lines::Error(InvalidOption) if the transformation is singular
 void place(const Eigen::Matrix4d& layer, laplacian_lines::TriangleMesh& mesh);
 
 /// Transforms a field and its lengths, but drops curvature derivatives, whose frames do not follow.
-void place(const Similarity& similarity, laplacian_lines::Field& field);
+void place(const meshlab_host::Similarity& similarity, laplacian_lines::Field& field);
 
 /// A copy in world coordinates: the layer may go while the progress bar runs the event loop.
 struct PlacedLayer {

@@ -52,6 +52,16 @@ Eigen::Matrix4d layerTransform(const CMeshO& mesh) {
     return result;
 }
 
+std::optional<Similarity> similarityOf(const Eigen::Matrix4d& transform) {
+    constexpr double tolerance = 1e-4;  // MeshLab's transformations are floats
+    const Eigen::Matrix3d linear = transform.topLeftCorner<3, 3>();
+    const double factor = std::cbrt(linear.determinant());
+    if (!(factor > 0) || !std::isfinite(factor)) return std::nullopt;
+    const Eigen::Matrix3d rotation = linear / factor;
+    if (!(rotation.transpose() * rotation).isIdentity(tolerance)) return std::nullopt;
+    return Similarity{rotation, factor};
+}
+
 double meanScale(const Eigen::Matrix4d& transform) {
     return std::cbrt(std::abs(transform.topLeftCorner<3, 3>().determinant()));
 }

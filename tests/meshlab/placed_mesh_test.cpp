@@ -49,15 +49,16 @@ double difference(const Vectors& a, const Vectors& b) {
 }
 
 TEST(PlacedMesh, OnlyMovesTurnsAndSizesAreSimilarities) {
-    EXPECT_TRUE(similarityOf(moved(turned())));
-    const std::optional<Similarity> twice = similarityOf(moved(2 * turned()));
+    EXPECT_TRUE(meshlab_host::similarityOf(moved(turned())));
+    const std::optional<meshlab_host::Similarity> twice =
+        meshlab_host::similarityOf(moved(2 * turned()));
     ASSERT_TRUE(twice);
     EXPECT_NEAR(twice->factor, 2, 1e-12);
     EXPECT_TRUE(twice->rotation.isApprox(turned(), 1e-12));
-    EXPECT_FALSE(similarityOf(moved(Eigen::Vector3d(1, 1, 1.01).asDiagonal())));
-    EXPECT_FALSE(similarityOf(moved(Eigen::Vector3d(1, 1, -1).asDiagonal())));
-    EXPECT_FALSE(similarityOf(moved(Eigen::Matrix3d::Zero())));
-    EXPECT_FALSE(similarityOf(moved(Eigen::Matrix3d::Constant(std::nan("")))));
+    EXPECT_FALSE(meshlab_host::similarityOf(moved(Eigen::Vector3d(1, 1, 1.01).asDiagonal())));
+    EXPECT_FALSE(meshlab_host::similarityOf(moved(Eigen::Vector3d(1, 1, -1).asDiagonal())));
+    EXPECT_FALSE(meshlab_host::similarityOf(moved(Eigen::Matrix3d::Zero())));
+    EXPECT_FALSE(meshlab_host::similarityOf(moved(Eigen::Matrix3d::Constant(std::nan("")))));
 }
 
 TEST(PlacedMesh, ItsFieldIsTheOneComputedThere) {
@@ -67,7 +68,7 @@ TEST(PlacedMesh, ItsFieldIsTheOneComputedThere) {
     Field field = laplacian_lines::precompute(mesh, options);
     const Eigen::Matrix4d layer = moved(3 * turned());
     place(layer, mesh);
-    place(*similarityOf(layer), field);
+    place(*meshlab_host::similarityOf(layer), field);
     EXPECT_TRUE(field.curvature_derivatives.empty());
     laplacian_lines::add_curvature_derivatives(mesh, field);
     const Field expected = laplacian_lines::precompute(mesh, options);
@@ -110,7 +111,7 @@ TEST(PlacedLayers, AreMovedWithTheirFields) {
     const PlacedLayer there = placed();
     EXPECT_GT(difference(there.mesh.positions, expected.mesh.positions), 0.5);
     place(layer, expected.mesh);
-    place(*similarityOf(layer), *expected.field);
+    place(*meshlab_host::similarityOf(layer), *expected.field);
     EXPECT_LT(difference(there.mesh.positions, expected.mesh.positions), 1e-5);
     EXPECT_LT(difference(there.field->normals, expected.field->normals), 1e-5);
     EXPECT_LT(difference(there.field->laplacian_normals, expected.field->laplacian_normals), 1e-5);

@@ -23,6 +23,15 @@ bool isOrthographic(const Eigen::Matrix4d& projection);
 /// Mesh to world coordinates.
 Eigen::Matrix4d layerTransform(const CMeshO& mesh);
 
+/// x' = factor · rotation · x; without the translation.
+struct Similarity {
+    Eigen::Matrix3d rotation;
+    double factor;
+};
+
+/// None if the transformation stretches, shears or reflects.
+std::optional<Similarity> similarityOf(const Eigen::Matrix4d& transform);
+
 /// By how much lengths grow, averaged over directions.
 double meanScale(const Eigen::Matrix4d& transform);
 
