@@ -91,10 +91,6 @@ void KeptLines::keep(Document document, int mesh, PreparedLinesPointer lines) {
         [=](const Entry& entry) { return entry.document == document && entry.mesh == mesh; });
     if (lines->lacked_memory) return;
     entries_.push_front({document, mesh, std::move(lines)});
-    fit();
-}
-
-void KeptLines::fit() {
     while (bytes() > most_bytes_)
         entries_.pop_back();
 }

@@ -72,8 +72,6 @@ public:
 
     /// The mesh uses these lines alone. Lines that lacked memory are not kept.
     void keep(Document document, int mesh, PreparedLinesPointer lines);
-    /// Call it when lines that may be kept have grown.
-    void fit();
     /// `alive` are ascending ids.
     void forgetAllBut(Document document, const std::vector<int>& alive);
     /// Frees all, for those who lack memory. False if there was nothing.
