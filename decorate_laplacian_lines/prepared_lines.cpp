@@ -55,10 +55,10 @@ PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
         result->extractor.emplace(triangles, field);
         result->has_derivatives = field.has_derivatives();
         const bool is_in_mesh = source.status == meshlab_host::FieldStatus::Current;
+        if (!is_in_mesh && !result->has_derivatives) result->field = std::move(field);
         if (triangles.triangles.size() <= most_triangles_printed)
             result->scene = std::make_shared<PrintedScene>(
-                std::move(triangles), is_in_mesh ? std::optional<Field>(field) : std::nullopt);
-        if (!is_in_mesh && !result->has_derivatives) result->field = std::move(field);
+                std::move(triangles), is_in_mesh ? std::optional(std::move(field)) : std::nullopt);
         result->bytes = bytesOf(*result);
     } catch (const std::bad_alloc&) {
         result->failure = "There is not enough memory for the lines of this mesh.";
