@@ -68,13 +68,10 @@ Eigen::Vector2i viewportSize() {
     return {viewport[2], viewport[3]};
 }
 
-/// Where a picture of the projection `whole` lies in the view of a tile, `tiles` times as large.
-line_renderer::PicturePlace placeInTile(const Eigen::Matrix4d& whole, const Eigen::Matrix4d& tile,
-                                        double tiles) {
-    const bool is_parallel = meshlab_host::isOrthographic(tile);
-    const Eigen::Vector4d column =
-        is_parallel ? tile.col(3) - tiles * whole.col(3) : tile.col(2) - tiles * whole.col(2);
-    return {tiles, (is_parallel ? 1 : -1) * column.head<2>()};
+/// Where the whole picture lies in a view, one of so many tiles in a row.
+line_renderer::PicturePlace placeInTile(const Eigen::Matrix4d& projection, double tiles) {
+    if (tiles == 1) return {};
+    return {tiles, meshlab_host::frustumOffset(projection)};
 }
 
 bool hasOneColor(const DecorationParameters& chosen) {
@@ -329,8 +326,7 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
         const Print print = prints_.demand(view, layer.widget, *printed, waits);
         if (!print.lack.isEmpty()) say(QString("%1: %2: %3").arg(title, mesh.label(), print.lack));
         if (print.picture) {
-            drawing_.draw(layer, print.picture,
-                          placeInTile(printed->projection, camera.projection, tiles), chosen);
+            drawing_.draw(layer, print.picture, placeInTile(camera.projection, tiles), chosen);
             return chosen.show_statistics
                        ? QString("printed drawing, %1 ms").arg(print.milliseconds, 0, 'f', 0)
                        : QString();

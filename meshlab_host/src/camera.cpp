@@ -11,15 +11,13 @@ bool isOrthographic(const Eigen::Matrix4d& projection) {
     return projection(3, 2) == 0;
 }
 
-namespace {
-
-/// How far the frustum's middle is left of and below the axis of sight, in half widths and heights.
-/// Tile c of n has n - 1 - 2c, an integer.
-Eigen::Vector2d offset(const Eigen::Matrix4d& projection) {
+Eigen::Vector2d frustumOffset(const Eigen::Matrix4d& projection) {
     // Perspective divides by -z, hence the sign.
     return isOrthographic(projection) ? Eigen::Vector2d(projection.col(3).head<2>())
                                       : Eigen::Vector2d(-projection.col(2).head<2>());
 }
+
+namespace {
 
 void moveToMiddle(Eigen::Matrix4d& projection) {
     projection.col(isOrthographic(projection) ? 3 : 2).head<2>().setZero();
@@ -105,7 +103,7 @@ double SnapshotTiles::scale(const CameraMatrices& camera) {
     const bool is_next = scale_ > 1 && camera.modelview.isApprox(camera_.modelview, 1e-6) &&
                          std::abs(camera.projection(1, 1) / camera_.projection(1, 1) - 1) < 1e-5;
     if (is_next) return scale_;
-    const Eigen::Vector2d place = offset(camera.projection);
+    const Eigen::Vector2d place = frustumOffset(camera.projection);
     if (!isFirstTile(place)) return 1;
     camera_ = middle_ = camera;
     moveToMiddle(middle_.projection);

@@ -20,6 +20,10 @@ CameraMatrices cameraFromGl();
 
 bool isOrthographic(const Eigen::Matrix4d& projection);
 
+/// How far the frustum's middle is left of and below the axis of sight, in half widths and heights.
+/// Tile c of n has n - 1 - 2c, an integer.
+Eigen::Vector2d frustumOffset(const Eigen::Matrix4d& projection);
+
 /// Mesh to world coordinates.
 Eigen::Matrix4d layerTransform(const CMeshO& mesh);
 
