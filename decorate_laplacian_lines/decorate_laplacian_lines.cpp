@@ -82,12 +82,11 @@ bool hasOneColor(const DecorationParameters& chosen) {
     return true;
 }
 
-/// No other layer shows faces, which would hide its lines.
-bool isAlone(const MeshModel& mesh) {
-    const MeshDocument* document = meshlab_host::documentOf(mesh);
+/// No other layer of the document, if there is one, shows faces, which would hide its lines.
+bool isAlone(int mesh, const MeshDocument* document) {
     if (!document) return true;
     for (const MeshModel* layer : meshlab_host::layersOf(*document))
-        if (layer->id() != mesh.id() && layer->isVisible() && layer->cm.fn > 0) return false;
+        if (int(layer->id()) != mesh && layer->isVisible() && layer->cm.fn > 0) return false;
     return true;
 }
 
@@ -275,14 +274,15 @@ PreparedLinesPointer DecorateLaplacianLines::currentLines(const MeshModel& mesh,
     return lines;
 }
 
-std::optional<PrintedView> DecorateLaplacianLines::printedView(const MeshModel& mesh,
+std::optional<PrintedView> DecorateLaplacianLines::printedView(const MeshDocument* document,
                                                                const PreparedLinesPointer& lines,
                                                                const DecorationParameters& chosen,
                                                                const LayerInView& layer,
                                                                double tiles) const {
     const bool is_wanted = chosen.at_rest == AtRest::PrintedDrawing &&
                            chosen.appearance.hidden != line_renderer::HiddenLines::Faint;
-    if (!is_wanted || !lines->scene || !hasOneColor(chosen) || !isAlone(mesh)) return std::nullopt;
+    const bool is_possible = lines->scene && hasOneColor(chosen) && isAlone(layer.mesh, document);
+    if (!is_wanted || !is_possible) return std::nullopt;
     line_drawing::SheetOptions options = sheetOptions(chosen);
     Eigen::Matrix4d projection = layer.placement.projection;
     if (tiles > 1) {
@@ -320,7 +320,7 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
     layer.is_first = beginsRedraw(painter);
     const MeshDocument* document = meshlab_host::documentOf(mesh);
     if (layer.is_first && document) layer.shown = meshlab_host::layerIds(*document, true);
-    if (const auto printed = printedView(mesh, lines, chosen, layer, tiles)) {
+    if (const auto printed = printedView(document, lines, chosen, layer, tiles)) {
         const bool waits =
             tiles > 1 || (layer.widget && layer.widget->property(waits_property).toBool());
         const Print print = prints_.demand(view, layer.widget, *printed, waits);

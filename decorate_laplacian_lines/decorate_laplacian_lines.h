@@ -45,7 +45,8 @@ private:
                       const DecorationParameters& chosen, GLArea* view, QPainter* painter,
                       line_renderer::RedrawClock& clock);
     /// The layer as it would be printed, if that is wanted and possible.
-    std::optional<PrintedView> printedView(const MeshModel& mesh, const PreparedLinesPointer& lines,
+    std::optional<PrintedView> printedView(const MeshDocument* document,
+                                           const PreparedLinesPointer& lines,
                                            const DecorationParameters& chosen,
                                            const LayerInView& layer, double tiles) const;
     /// Logs why a mesh has no lines, once, or remembers that it has; `log` is its document's.
