@@ -90,20 +90,6 @@ bool isAlone(int mesh, const MeshDocument* document) {
     return true;
 }
 
-/// Pens of which that of inner lines is Line Width.
-line_drawing::SheetOptions sheetOptions(const DecorationParameters& chosen) {
-    line_drawing::SheetOptions options;
-    options.style = line_drawing::styleOnPaper(chosen.style);
-    if (const auto azimuth = lightAzimuth(chosen))
-        options.light = meshlab_host::towardsLight(*azimuth);
-    if (chosen.appearance.hidden == line_renderer::HiddenLines::Dashed)
-        options.hidden = line_drawing::HiddenLines::Dashed;
-    const double factor = chosen.outline_width / DecorationParameters().outline_width;
-    for (const auto outline : {line_drawing::LineClass::Outline, line_drawing::LineClass::Contour})
-        options.pens[std::size_t(outline)] *= factor;
-    return options;
-}
-
 double devicePixelRatio(QPainter* painter) {
     return painter && painter->device() ? painter->device()->devicePixelRatioF() : 1;
 }
@@ -283,24 +269,19 @@ std::optional<PrintedView> DecorateLaplacianLines::printedView(const MeshDocumen
                            chosen.appearance.hidden != line_renderer::HiddenLines::Faint;
     const bool is_possible = lines->scene && hasOneColor(chosen) && isAlone(layer.mesh, document);
     if (!is_wanted || !is_possible) return std::nullopt;
-    line_drawing::SheetOptions options = sheetOptions(chosen);
     Eigen::Matrix4d projection = layer.placement.projection;
     if (tiles > 1) {
         projection = tiles_.camera().projection;
         projection.topRows<2>() /= tiles;
     }
-    const double pen = options.pens[std::size_t(line_drawing::LineClass::Inner)];
+    const double pen =
+        line_drawing::SheetOptions().pens[std::size_t(line_drawing::LineClass::Inner)];
     const Eigen::Vector2i size = int(tiles) * viewportSize();
     if (size.maxCoeff() > line_renderer::PictureRenderer::largestSide()) return std::nullopt;
     auto window = windowOf(layer.placement.to_eye, projection, size,
                            chosen.line_width * layer.placement.pixel_scale / pen);
     if (!window) return std::nullopt;
-    PrintedView printed{
-        lines, layer.placement.to_eye, projection, std::move(*window), std::move(options), {}};
-    for (const auto& row : decorationTable())
-        if (const auto* number = std::get_if<DecorationRow>(&row))
-            printed.chosen.push_back(number->get(chosen));
-    return printed;
+    return PrintedView{lines, layer.placement.to_eye, projection, *window, chosen};
 }
 
 QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedLinesPointer& lines,

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
+#include <algorithm>
 #include <new>
 #include <utility>
 
@@ -19,10 +20,32 @@ bool areEqual(const Eigen::Matrix4d& projection, const Eigen::Matrix4d& other) {
            projection.topRows<2>().isApprox(other.topRows<2>(), 1e-6);
 }
 
+/// But for colors, which a picture gets when it is shown.
+bool areEqual(const DecorationParameters& chosen, const DecorationParameters& other) {
+    const auto& table = decorationTable();
+    return std::all_of(table.begin(), table.end(), [&](const auto& any) {
+        const auto* row = std::get_if<DecorationRow>(&any);
+        return !row || row->get(chosen) == row->get(other);
+    });
+}
+
+line_drawing::SheetOptions sheetOptions(const DecorationParameters& chosen) {
+    line_drawing::SheetOptions options;
+    options.style = line_drawing::styleOnPaper(chosen.style);
+    if (const auto azimuth = lightAzimuth(chosen))
+        options.light = meshlab_host::towardsLight(*azimuth);
+    if (chosen.appearance.hidden == line_renderer::HiddenLines::Dashed)
+        options.hidden = line_drawing::HiddenLines::Dashed;
+    const double factor = chosen.outline_width / DecorationParameters().outline_width;
+    for (const auto outline : {line_drawing::LineClass::Outline, line_drawing::LineClass::Contour})
+        options.pens[std::size_t(outline)] *= factor;
+    return options;
+}
+
 }  // namespace
 
 bool PrintedView::operator==(const PrintedView& other) const {
-    return lines == other.lines && chosen == other.chosen && to_eye == other.to_eye &&
+    return lines == other.lines && areEqual(chosen, other.chosen) && to_eye == other.to_eye &&
            areEqual(projection, other.projection) && window.size == other.window.size &&
            window.pixels_per_mm == other.window.pixels_per_mm;
 }
@@ -76,7 +99,7 @@ void PrintedViews::run(Running& running) noexcept {
     clock.start();
     try {
         running.print.picture = running.what.lines->scene->paint(
-            running.what.window, running.what.options,
+            running.what.window, sheetOptions(running.what.chosen),
             [&](double, const char*) { return !running.is_given_up; });
         running.print.milliseconds = 1e-6 * double(clock.nsecsElapsed());
     } catch (const std::bad_alloc&) {

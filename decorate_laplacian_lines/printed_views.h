@@ -8,8 +8,8 @@
 #include <map>
 #include <memory>
 #include <thread>
-#include <vector>
 
+#include "decoration_parameters.h"
 #include "prepared_lines.h"
 #include "printed_scene.h"
 
@@ -17,9 +17,8 @@
 struct PrintedView {
     PreparedLinesPointer lines;  ///< with a scene
     Eigen::Matrix4d to_eye, projection;
-    line_drawing::WindowView window;  ///< of these
-    line_drawing::SheetOptions options;
-    std::vector<double> chosen;  ///< the parameters that made the options
+    line_drawing::WindowView window;  ///< of these; its pen for inner lines is Line Width
+    DecorationParameters chosen;
 
     bool operator==(const PrintedView& other) const;
 };

@@ -26,9 +26,8 @@ protected:
             Eigen::AngleAxisd(degrees * std::acos(-1) / 180, Eigen::Vector3d::UnitY()));
         to_eye.translate(Eigen::Vector3d(-0.5, -0.5, 0));
         const Eigen::Matrix4d projection = Eigen::Vector4d(1.5, 1.5, -0.1, 1).asDiagonal();
-        PrintedView view{lines_, to_eye.matrix(), projection, {}, {}, {degrees}};
+        PrintedView view{lines_, to_eye.matrix(), projection, {}, {}};
         view.window = *windowOf(view.to_eye, projection, {400, 400}, pixels_per_mm);
-        view.options.style = line_drawing::styleOnPaper();
         return view;
     }
     Print demand(const PrintedView& view, bool waits = false) {
@@ -90,7 +89,7 @@ TEST_F(PrintedViewsTest, AreGivenUpWhenTheViewMoves) {
     EXPECT_FALSE(demand(turned(31)).picture);
     EXPECT_TRUE(waitFor(turned(31)));
     PrintedView other = turned(31);
-    other.chosen = {1, 2};  // of other parameters
+    other.chosen.style.detail = 70;
     EXPECT_FALSE(demand(other).picture);
     prints_->forget(this);
     wait(400);
@@ -116,7 +115,7 @@ TEST_F(PrintedViewsTest, SayOnceWhatTheyLack) {
     inside.window.frame.eye = Eigen::Vector3d(0.5, 0.5, -1);  // before which there is nothing
     EXPECT_FALSE(demand(inside, true).lack.isEmpty());
     EXPECT_TRUE(demand(inside, true).lack.isEmpty());
-    inside.chosen = {1};
+    inside.chosen.style.detail = 70;
     EXPECT_TRUE(demand(inside, true).lack.isEmpty()) << "the same as last time";
     demand(turned(20), true);
     const int before = widget_.redraws();
