@@ -52,7 +52,8 @@ def manual(version, calls, options):
     lines += [line for what, _ in calls for line in (f".B {roff(NAME)}", roff(what), ".br")]
     for heading, rows in (("DESCRIPTION", calls), ("OPTIONS", options)):
         lines.append(f".SH {heading}")
-        lines += [line for what, meaning in rows for line in (".TP", f".B {roff(what)}", roff(meaning) + ".")]
+        lines += [line for what, meaning in rows
+                  for line in (".TP", f".B {roff(what)}", roff(re.sub(r"(?<![.)])$", ".", meaning)))]
     return "\n".join(lines) + "\n"
 
 
