@@ -41,7 +41,7 @@ def add_options(parser):
     view = matching(rf"{'|'.join(VIEWS)}|-?{NUMBER},-?(0*[1-8]?[0-9](\.[0-9]+)?|0*90(\.0+)?)", f"one of {', '.join(VIEWS)}, or "
                     "AZIMUTH,ELEVATION in degrees, such as 30,15; the elevation is from -90 to 90")
     zoom = matching(r"0\.[1-9][0-9]*|[1-9](\.[0-9]+)?|10(\.0+)?", "a factor from 0.1 to 10")
-    kinds = matching(".+", "names of kinds of lines with commas between, such as all or apparent_ridges,valleys")
+    kinds = matching(".+", "names of kinds of lines with commas between, such as all or apparent_ridges,ridges+creases")
     added = [
         parser.add_argument("--size", type=size, default="1200x900", metavar="WxH", help="in pixels (1200x900); above 900, lines "
                             "get wider with the shorter side"),
@@ -52,7 +52,7 @@ def add_options(parser):
                             "(0.1 to 10)"),
         parser.add_argument("--orthographic", action="store_true", help="without perspective"),
         parser.add_argument("--kinds", type=kinds, metavar="NAME,NAME...", help="a drawing on the sheet for each kind of lines, "
-                            "such as all, usual, apparent_ridges, ridges+valleys")]
+                            "such as all, usual, apparent_ridges, ridges+creases")]
     return [option.dest for option in added]
 
 

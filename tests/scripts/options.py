@@ -60,7 +60,7 @@ class Options(ScriptTest):
                  "above 30 30,91 0,90.1 0,-100 30,15,2 [front"),
                 ("--up", "choose from 'x', 'y', 'z'", "x y z", "w X xy"),
                 ("--zoom", "a factor from", "2 0.1 10", "0 0.09 11 -1 1e0 2x ."),
-                ("--kinds", "expected one argument", "all ridges+valleys", "--orthographic"),
+                ("--kinds", "expected one argument", "all ridges+creases", "--orthographic"),
                 ("--size", "WIDTHxHEIGHT", "1x20000", "0x10 10 10x 1200X900")):
             for value in good.split():
                 parse([*PICTURE, option, value])
