@@ -44,8 +44,9 @@ struct PrecomputeOptions {
     double accuracy = 1e-3;
     NormalWeighting normal_weighting = NormalWeighting::Area;
     NormalSmoothing normal_smoothing = NormalSmoothing::Gaussian;
-    /// Standard deviation of the smoothing, in mean edges. 0: automatic, none on clean meshes and up
-    /// to 2.5 on rough ones, see automatic_normal_sigma(). None at all: NormalSmoothing::None.
+    /// Standard deviation of the smoothing, in mean edges. 0: automatic, none on clean meshes, up to
+    /// 0.8 on fine ones and up to 2.5 on rough ones, see automatic_normal_sigma(). None at all:
+    /// NormalSmoothing::None.
     double normal_sigma = 0;
     double bilateral_angle = 20.0;  ///< degrees between normals at which bilateral weights fade
     GradientEstimator gradient_estimator = GradientEstimator::TriangleFit;

@@ -77,8 +77,8 @@ const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table
             "normals are not changed. Bilateral keeps sharp edges."),
         real<&O::normal_sigma>(
             "normal_sigma", "Normal Smoothing Sigma", 0, 100,
-            "In mean edge lengths. 0 means automatic: none on clean meshes, and up to 2.5 on noisy "
-            "ones and terraces of segmented volumes; the log says what was chosen."),
+            "In mean edge lengths. 0 means automatic: none on clean meshes, up to 0.8 on fine ones "
+            "and up to 2.5 on noisy ones and terraces of volumes; the log says what was chosen."),
         real<&O::bilateral_angle>("bilateral_angle", "Bilateral Angle", 0.1, 180,
                                   "For bilateral smoothing: angle in degrees between two normals "
                                   "at which they hardly influence each other any more."),
