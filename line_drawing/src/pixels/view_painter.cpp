@@ -62,14 +62,13 @@ GrayPicture ViewPainter::paint(const WindowView& view, SheetOptions options,
     DrawnView drawn = observer.stand(view.frame, options);
     const Placement placement =
         placementOf(view, observer.middle(), options.mm_per_unit, observer.objectSize().norm());
-    const Eigen::AlignedBox2d place = placement.onSheet(drawn.bounds);
-    options.pens = pensFor(place.sizes().maxCoeff(), options.pens);
+    options.pens = pensFor(placement.onSheet(drawn.bounds).sizes().maxCoeff(), options.pens);
     data_->lines.makeReady(options, placement.scale, part(progress, sight_share, lines_share));
     options.kernel = {data_->lines.kernelSize() * options.mm_per_unit * placement.scale, false};
     const auto lines = data_->lines.extract(observer.viewOf(drawn, options), options.style);
     observer.look(drawn, lines, options, part(progress, lines_share, 1));
     Canvas canvas =
-        paintGroups({drawView(drawn, 1, placement, place, options)}, view.size, view.pixels_per_mm);
+        paintGroups({drawView(drawn, 1, placement, options)}, view.size, view.pixels_per_mm);
     return {view.size, std::move(canvas).grays()};
 }
 

@@ -94,7 +94,8 @@ Vector2d roomOfMarks(const DrawnView& view) {
 }
 
 SheetLayer drawMarks(const DrawnView& view, const Placement& placement,
-                     const Eigen::AlignedBox2d& place, const SheetOptions& options) {
+                     const SheetOptions& options) {
+    const Eigen::AlignedBox2d place = placement.onSheet(view.bounds);
     SheetLayer layer{"marks", "Marks of sections", {}, {}};
     for (const SectionMark& mark : view.marks) {
         const Vector2d at = placement.onSheet(mark.point), looking = onSheet(mark.looking);

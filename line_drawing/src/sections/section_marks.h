@@ -21,8 +21,8 @@ std::vector<SectionMark> marksOf(const ViewFrame& frame, const SheetOptions& opt
 Eigen::Vector2d roomOfMarks(const DrawnView& view);
 
 /// Short thick ends of each plane's line, with an arrow in the direction of sight and a letter (ISO
-/// 128-3). `place` is the surface's on the sheet.
+/// 128-3).
 SheetLayer drawMarks(const DrawnView& view, const Placement& placement,
-                     const Eigen::AlignedBox2d& place, const SheetOptions& options);
+                     const SheetOptions& options);
 
 }  // namespace line_drawing

@@ -86,8 +86,8 @@ Draft layOut(Observer& observer, const SheetOptions& options) {
     nameSections(views);
     SheetLayout layout = layOut(views, options);
     double size = 0;
-    for (const Eigen::AlignedBox2d& place : layout.places)
-        size = std::max(size, place.sizes().maxCoeff());
+    for (std::size_t i = 0; i < views.size(); ++i)
+        size = std::max(size, layout.placements[i].onSheet(views[i].bounds).sizes().maxCoeff());
     SheetOptions with_pens = options;
     with_pens.pens = pensFor(size, options.pens);
     return {std::move(with_pens), std::move(views), std::move(layout)};
@@ -148,8 +148,7 @@ Sheet draw(const Observer& observer, Draft& draft, const Progress& progress) {
     }
     sheet.groups.resize(views.size());
     laplacian_lines::in_parallel(views.size(), [&](std::size_t i) {
-        sheet.groups[i] =
-            drawView(views[i], i + 1, layout.placements[i], layout.places[i], options);
+        sheet.groups[i] = drawView(views[i], i + 1, layout.placements[i], options);
     });
     tellApart(sheet.groups);
     SheetGroup furniture =

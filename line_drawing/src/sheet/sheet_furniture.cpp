@@ -74,7 +74,7 @@ FittedText fit(const std::string& text, double height, double least, double widt
 SheetLayer viewNames(const std::vector<DrawnView>& views, const SheetLayout& layout) {
     SheetLayer layer{"names", "Names of views", {}, {}};
     for (std::size_t i = 0; i < views.size(); ++i) {
-        const Eigen::AlignedBox2d& place = layout.places[i];
+        const Eigen::AlignedBox2d& place = layout.placements[i].onSheet(views[i].bounds);
         layer.texts.push_back({{place.center().x(),
                                 place.max().y() + roomOfMarks(views[i]).y() + 2 * view_name_height},
                                view_name_height,

@@ -202,14 +202,10 @@ public:
         const double left = (paper.x() - size.x()) / 2;
         const double top =
             sheet_margin + (paper.y() - 2 * sheet_margin - strip_height - size.y()) / 2;
-        SheetLayout layout{paper, scale, {}, {}};
-        for (std::size_t i = 0; i < views_.size(); ++i) {
-            const Placement placement{
-                scale,
-                {left + columns_[cells_[i].column].middle, top + rows_[cells_[i].row].middle}};
-            layout.placements.push_back(placement);
-            layout.places.push_back(placement.onSheet(views_[i].bounds));
-        }
+        SheetLayout layout{paper, scale, {}};
+        for (const Cell& cell : cells_)
+            layout.placements.push_back(
+                {scale, {left + columns_[cell.column].middle, top + rows_[cell.row].middle}});
         return layout;
     }
 

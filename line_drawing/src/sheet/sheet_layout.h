@@ -12,9 +12,8 @@ constexpr double sheet_margin = 10, view_gap = 10, view_name_height = 3, strip_h
 
 struct SheetLayout {
     Eigen::Vector2d size;
-    double scale;                             ///< 0: all views are in perspective
-    std::vector<Placement> placements;        ///< one for each view
-    std::vector<Eigen::AlignedBox2d> places;  ///< of the views' surfaces, mm
+    double scale;                       ///< 0: all views are in perspective
+    std::vector<Placement> placements;  ///< one for each view
 };
 
 /// Rows and columns around the front view, so that equal heights of the object line up; other
@@ -39,9 +38,8 @@ double widthInAnyFont(const std::string& text, double height);
 /// The text, or its beginning and "…".
 std::string elided(const std::string& text, double height, double width);
 
-/// `number` counts views from 1; `surface_place` is the surface's on the sheet. Thin lines come
-/// first, outlines lie over them.
+/// `number` counts views from 1. Thin lines come first, outlines lie over them.
 SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& placement,
-                    const Eigen::AlignedBox2d& surface_place, const SheetOptions& options);
+                    const SheetOptions& options);
 
 }  // namespace line_drawing

@@ -135,7 +135,7 @@ SheetLayer areas(const DrawnView& view, const Placement& placement) {
 }  // namespace
 
 SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& placement,
-                    const Eigen::AlignedBox2d& surface_place, const SheetOptions& options) {
+                    const SheetOptions& options) {
     const bool has_name = view.frame.side != Side::Other;
     const std::string key = has_name ? lower(view.frame.name) : "view-" + std::to_string(number);
     SheetGroup group{key, view.frame.name, {}};
@@ -171,8 +171,7 @@ SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& 
                     layer.paths.push_back(std::move(*stroke));
         group.layers.push_back(std::move(layer));
     }
-    if (!view.marks.empty())
-        group.layers.push_back(drawMarks(view, placement, surface_place, options));
+    if (!view.marks.empty()) group.layers.push_back(drawMarks(view, placement, options));
     return group;
 }
 
