@@ -8,6 +8,8 @@
 namespace line_drawing {
 namespace {
 
+using Point = Path::Point;
+
 constexpr double farthest = 1e9;  // what is beyond that is drawn as if it were there
 constexpr int lines_of_pixel = 16, steps_of_pixel = 256, whole = lines_of_pixel * steps_of_pixel;
 
@@ -29,10 +31,10 @@ int lineFrom(double y, int line_count) {
 
 bool isFinite(const Polygon& polygon) {
     return std::all_of(polygon.begin(), polygon.end(),
-                       [](const Path::Point& p) { return p.allFinite(); });
+                       [](const Point& p) { return p.allFinite(); });
 }
 
-Path::Point within(const Path::Point& p) {
+Point within(const Point& p) {
     return p.cwiseMax(-farthest).cwiseMin(farthest);
 }
 
@@ -41,7 +43,7 @@ std::vector<Side> sidesOf(const std::vector<Polygon>& polygons, int line_count) 
     for (const Polygon& polygon : polygons) {
         if (!isFinite(polygon)) continue;
         for (std::size_t i = 0; i < polygon.size(); ++i) {
-            Path::Point p = within(polygon[i]), q = within(polygon[(i + 1) % polygon.size()]);
+            Point p = within(polygon[i]), q = within(polygon[(i + 1) % polygon.size()]);
             const int winding = p.y() < q.y() ? 1 : -1;
             if (winding < 0) std::swap(p, q);
             const int first = lineFrom(p.y(), line_count), end = lineFrom(q.y(), line_count);
@@ -106,8 +108,6 @@ void cover(std::vector<Crossing>& crossings, FillRule rule, Coverage& coverage) 
             coverage.add(crossings[i].x, crossings[i + 1].x);
     }
 }
-
-using Point = Path::Point;
 
 constexpr double roundness = 0.03;  // pixels of a round tip that its polygon may leave out
 
@@ -248,8 +248,7 @@ void Canvas::fill(const std::vector<Polygon>& polygons, FillRule rule, double to
 
 void appendStroke(const Polygon& line, double width, double dash, std::vector<Polygon>& polygons) {
     Stroke stroke(width, dash == 0, polygons);
-    const auto is_finite = [](const Point& p) { return p.allFinite(); };
-    if (!std::all_of(line.begin(), line.end(), is_finite)) return;
+    if (!isFinite(line)) return;
     if (dash == 0) return stroke.append(line);
     for (const Polygon& part : dashesOf(line, dash))
         stroke.append(part);
