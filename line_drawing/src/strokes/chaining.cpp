@@ -38,8 +38,7 @@ struct Bond {
 
 class Chaining {
 public:
-    Chaining(std::vector<DrawnLine> lines, const std::array<double, line_class_count>& pens,
-             bool mixes_kinds)
+    Chaining(std::vector<DrawnLine> lines, const Pens& pens, bool mixes_kinds)
         : lines_(std::move(lines)),
           pens_(pens),
           pen_(pens[std::size_t(LineClass::Inner)]),
@@ -250,7 +249,7 @@ private:
     }
 
     std::vector<DrawnLine> lines_;
-    const std::array<double, line_class_count>& pens_;
+    const Pens& pens_;
     const double pen_;
     const bool mixes_kinds_;
     DrawnLines all_;
@@ -261,8 +260,7 @@ private:
 
 }  // namespace
 
-std::vector<DrawnLine> chain(std::vector<DrawnLine> lines,
-                             const std::array<double, line_class_count>& pens, bool mixes_kinds) {
+std::vector<DrawnLine> chain(std::vector<DrawnLine> lines, const Pens& pens, bool mixes_kinds) {
     return Chaining(std::move(lines), pens, mixes_kinds).run();
 }
 

@@ -30,16 +30,14 @@ std::vector<DrawnLine> withoutDoubles(std::vector<DrawnLine> lines, double reach
 /// to eight pens, half as long as either line, that no other line crosses; and contours within the
 /// surface that meet. With `mixes_kinds`, also inner lines and contours whose ends meet, blending
 /// their widths. `pens`: widths in mm, by LineClass.
-std::vector<DrawnLine> chain(std::vector<DrawnLine> lines,
-                             const std::array<double, line_class_count>& pens, bool mixes_kinds);
+std::vector<DrawnLine> chain(std::vector<DrawnLine> lines, const Pens& pens, bool mixes_kinds);
 
 /// Leaves white between lines, mm on the sheet: strongest first, an inner line goes where it runs
 /// within three pens of another one, or within half a pen of an outline, contour or edge, but not
 /// where lines cross or meet. So do strokes shorter than six pens, those within four pens of each
 /// other, loops below 24, then contours of curved surfaces below six pens that meet no line.
 /// `pens`: widths in mm, by LineClass.
-std::vector<DrawnLine> thinOut(std::vector<DrawnLine> lines,
-                               const std::array<double, line_class_count>& pens);
+std::vector<DrawnLine> thinOut(std::vector<DrawnLine> lines, const Pens& pens);
 
 /// Cuts off bent ends of inner lines, where a zero of the Laplacian runs around the end of a
 /// feature; an illustrator would not draw that. Ends that meet another line stay. `pen`: of inner

@@ -73,7 +73,7 @@ void sortByStrength(std::vector<DrawnLine>& lines) {
 
 class Thinning {
 public:
-    explicit Thinning(const std::array<double, line_class_count>& pens)
+    explicit Thinning(const Pens& pens)
         : pens_(pens), pen_(pens[std::size_t(LineClass::Inner)]), kept_(between_lines * pen_) {
         for (const double pen : pens)
             outlines_.emplace_back(whiteBeside(pen));
@@ -219,7 +219,7 @@ private:
         return true;
     }
 
-    const std::array<double, line_class_count>& pens_;
+    const Pens& pens_;
     const double pen_;
     std::vector<DrawnLines> outlines_;  // by class
     DrawnLines kept_;
@@ -227,8 +227,7 @@ private:
 
 }  // namespace
 
-std::vector<DrawnLine> thinOut(std::vector<DrawnLine> lines,
-                               const std::array<double, line_class_count>& pens) {
+std::vector<DrawnLine> thinOut(std::vector<DrawnLine> lines, const Pens& pens) {
     Thinning thinning(pens);
     std::vector<DrawnLine> result, contours, inner;
     for (DrawnLine& line : lines) {
