@@ -48,6 +48,18 @@ struct SheetGroup {
     std::vector<SheetLayer> layers;
 };
 
+/// Calls mark(path or text, its group, its layer) in the order in which they are drawn.
+template <class Mark>
+void forEachMark(const std::vector<SheetGroup>& groups, const Mark& mark) {
+    for (const SheetGroup& group : groups)
+        for (const SheetLayer& layer : group.layers) {
+            for (const SheetPath& path : layer.paths)
+                mark(path, group, layer);
+            for (const SheetText& text : layer.texts)
+                mark(text, group, layer);
+        }
+}
+
 struct Sheet {
     Eigen::Vector2d size;  ///< width, height
     std::string title;

@@ -42,7 +42,7 @@ public:
         writeHeader();
         writeLayers();
         write({{0, "SECTION"}, {2, "ENTITIES"}});
-        forEachMark(sheet_, [&](const auto& mark, const auto& group, const auto& layer) {
+        forEachMark(sheet_.groups, [&](const auto& mark, const auto& group, const auto& layer) {
             writeMark(mark, nameOf(group, layer));
         });
         write({{0, "ENDSEC"}, {0, "EOF"}});

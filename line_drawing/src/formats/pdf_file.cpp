@@ -107,7 +107,7 @@ public:
     std::string of(const Sheet& sheet) {
         data_ = inDigits(points_per_mm, 10) + " 0 0 -" + inDigits(points_per_mm, 10) + " 0 " +
                 inDigits(points_per_mm * sheet.size.y(), 10) + " cm 1 J 1 j\n";
-        forEachMark(sheet, [&](const auto& mark, const auto&, const auto&) { add(mark); });
+        forEachMark(sheet.groups, [&](const auto& mark, const auto&, const auto&) { add(mark); });
         return data_;
     }
 

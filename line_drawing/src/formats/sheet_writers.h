@@ -8,18 +8,6 @@
 
 namespace line_drawing {
 
-/// Calls mark(path or text, its group, its layer) in the sheet's order.
-template <class Mark>
-void forEachMark(const Sheet& sheet, const Mark& mark) {
-    for (const SheetGroup& group : sheet.groups)
-        for (const SheetLayer& layer : group.layers) {
-            for (const SheetPath& path : layer.paths)
-                mark(path, group, layer);
-            for (const SheetText& text : layer.texts)
-                mark(text, group, layer);
-        }
-}
-
 /// By zlib (RFC 1950).
 std::string deflated(const std::string& bytes);
 

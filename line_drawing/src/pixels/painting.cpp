@@ -18,18 +18,18 @@ void add(const SheetPath& path, double scale, Canvas& canvas) {
     canvas.fill(strokes, FillRule::NonZero);
 }
 
+void add(const SheetText& text, double scale, Canvas& canvas) {
+    add(outlinesOf(text), scale, canvas);
+}
+
 }  // namespace
 
 Canvas paintGroups(const std::vector<SheetGroup>& groups, const Eigen::Vector2i& size,
                    double pixels_per_mm) {
     Canvas canvas(size.x(), size.y());
-    for (const SheetGroup& group : groups)
-        for (const SheetLayer& layer : group.layers) {
-            for (const SheetPath& path : layer.paths)
-                add(path, pixels_per_mm, canvas);
-            for (const SheetText& text : layer.texts)
-                add(outlinesOf(text), pixels_per_mm, canvas);
-        }
+    forEachMark(groups, [&](const auto& mark, const auto&, const auto&) {
+        add(mark, pixels_per_mm, canvas);
+    });
     return canvas;
 }
 
