@@ -96,10 +96,6 @@ void nameFiles(const Words& names, CommandLine& result) {
 
 }  // namespace
 
-std::string CommandLine::format() const {
-    return line_drawing::commandOption(format_option)->valueIn(choices);
-}
-
 CommandLine parseCommandLine(Words rest) {
     CommandLine result;
     Words names, formats;
@@ -117,7 +113,10 @@ CommandLine parseCommandLine(Words rest) {
     nameFiles(names, result);
     if (has_format && !result.is_collection)
         refuse("--format is for a folder of drawings; the extension of a file sets its format.");
-    result.choices.file = result.is_collection ? '.' + result.format() : result.drawing;
+    result.choices.file =
+        result.is_collection
+            ? '.' + line_drawing::commandOption(format_option)->valueIn(result.choices)
+            : result.drawing;
     result.options = line_drawing::sheetOptions(result.choices);
     return result;
 }

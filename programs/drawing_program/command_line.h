@@ -26,10 +26,8 @@ struct CommandLine {
     /// Of the options as they were given, but for what only a collection has.
     Words words;
     std::optional<EarlierDrawing> like;  ///< what is to be drawn again
-    line_drawing::SheetChoices choices;
+    line_drawing::SheetChoices choices;  ///< with the file, or of a collection its ending alone
     line_drawing::SheetOptions options;
-
-    std::string format() const;  ///< of a collection
 };
 
 /// @throws laplacian_lines::Error(InvalidOption)

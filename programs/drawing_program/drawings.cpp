@@ -176,7 +176,7 @@ public:
 
 private:
     std::string fileOf(const std::string& name) const {
-        return (fs::path(commands_.drawing) / (name + '.' + commands_.format())).string();
+        return (fs::path(commands_.drawing) / (name + commands_.choices.file)).string();
     }
 
     void drawCatchingAll(Item& item) {
