@@ -14,15 +14,19 @@ using namespace laplacian_lines;
 TEST(Kernels, OfDrawingsAreWithinTheirRange) {
     const TriangleMesh mesh = test_meshes::bumpy_sphere(6, 0.15).mesh;
     const FieldScale scale = measure_scale(mesh);
-    const KernelRange range = drawn_kernel_range(scale.mean_edge, scale.diagonal);
-    PrecomputeOptions options;
-    ASSERT_GT(range.most, 1.2 * range.least);
-    for (const double wanted : {1e-6 * range.least, 1.1 * range.least, 1e6 * range.most}) {
+    const double least = 1.3 * scale.mean_edge, most = 0.04 * scale.diagonal;
+    ASSERT_GT(most, 1.2 * least);
+    const auto drawn = [](const TriangleMesh& of, double wanted) {
+        PrecomputeOptions options;
         options.drawn_kernel_size = wanted;
-        EXPECT_NEAR(measure_scale(mesh, options).kernel_size,
-                    std::min(std::max(wanted, range.least), range.most), 1e-9 * range.most);
-    }
-    EXPECT_DOUBLE_EQ(drawn_kernel_range(0.1, 1).most, 0.13);
+        return measure_scale(of, options).kernel_size;
+    };
+    for (const double wanted : {1e-6 * least, 1.1 * least, 1e6 * most})
+        EXPECT_NEAR(drawn(mesh, wanted), std::clamp(wanted, least, most), 1e-9 * most);
+    const TriangleMesh coarse = test_meshes::bumpy_sphere(2, 0.15).mesh;
+    const FieldScale large = measure_scale(coarse);
+    ASSERT_GT(1.3 * large.mean_edge, 0.04 * large.diagonal);
+    EXPECT_NEAR(drawn(coarse, 1e6), 1.3 * large.mean_edge, 1e-9);
 }
 
 }  // namespace

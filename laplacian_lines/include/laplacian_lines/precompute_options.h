@@ -32,8 +32,9 @@ struct PrecomputeOptions {
     /// √h, mesh units; the Gaussian of Eq. 2 has the standard deviation √2·√h. 0: automatic,
     /// max(1.3 ē, 0.45 % of D).
     double kernel_size = 0;
-    /// If > 0, the √h for a drawing at a given size, mesh units, instead of kernel_size, within
-    /// drawn_kernel_range(). An automatic normal_sigma is then at least a quarter of it.
+    /// If > 0, the √h for a drawing at a given size, mesh units, instead of kernel_size: from
+    /// 1.3 ē, below which the mesh has no detail, to 4 % of D, or 1.3 ē where that is more. An
+    /// automatic normal_sigma is then at least a quarter of it.
     double drawn_kernel_size = 0;
     /// Adaptive: √h(p) = √h · clamp(ē(p)/ē, 1/4, 4), with ē(p) the mean length of the edges at p,
     /// averaged over one-rings ten times. Normal smoothing scales by the same factor.
@@ -44,9 +45,9 @@ struct PrecomputeOptions {
     double accuracy = 1e-3;
     NormalWeighting normal_weighting = NormalWeighting::Area;
     NormalSmoothing normal_smoothing = NormalSmoothing::Gaussian;
-    /// Standard deviation of the smoothing, in mean edges. 0: automatic, none on clean meshes, up to
-    /// 0.8 on fine ones and up to 2.5 on rough ones, see automatic_normal_sigma(). None at all:
-    /// NormalSmoothing::None.
+    /// Standard deviation of the smoothing, in mean edges. 0: automatic, none on clean meshes, up
+    /// to 0.8 where triangles are finer than the kernel and up to 2.5 on rough meshes, see
+    /// automatic_normal_sigma(). None at all: NormalSmoothing::None.
     double normal_sigma = 0;
     double bilateral_angle = 20.0;  ///< degrees between normals at which bilateral weights fade
     GradientEstimator gradient_estimator = GradientEstimator::TriangleFit;
@@ -66,13 +67,6 @@ double automatic_kernel_size(double mean_edge, double diagonal);
 
 /// √h in widths of the inner lines of a drawing: finer detail clots, coarser kernels lose detail.
 constexpr double kDrawnKernelWidths = 4;
-
-/// The kernel sizes of drawings at any size: from ē, below which the mesh has no detail, to 4 %
-/// of D, or ē where that is more.
-struct KernelRange {
-    double least, most;
-};
-KernelRange drawn_kernel_range(double mean_edge, double diagonal);
 
 /// In mean edges, given MeshReport::roughness.
 double automatic_normal_sigma(double roughness);

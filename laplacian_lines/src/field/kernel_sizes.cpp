@@ -11,26 +11,26 @@ constexpr int kSmoothingPasses = 10;
 constexpr double kSmallestRatio = 0.25, kLargestRatio = 4;
 // In D. Beyond, nothing changes: no vertex has a neighbour, or all are equally near.
 constexpr double kSmallestKernel = 1e-7, kLargestKernel = 1e4;
-constexpr double kLargestDrawnKernel = 0.04;
+constexpr double kLargestDrawnKernel = 0.04;  // D
 // Mean edges. Decimated scans keep features one or two edges wide: with 1 they keep no more of them
 // than with 1.3, but clutter comes. What noise asks for, the smoothing of normals does better.
 constexpr double kLeastEdges = 1.3;
 
 }  // namespace
 
-double automatic_kernel_size(double mean_edge, double diagonal) {
-    return std::max(kLeastEdges * mean_edge, 0.0045 * diagonal);
+double least_kernel_size(double mean_edge) {
+    return kLeastEdges * mean_edge;
 }
 
-KernelRange drawn_kernel_range(double mean_edge, double diagonal) {
-    const double least = kLeastEdges * mean_edge;
-    return {least, std::max(least, kLargestDrawnKernel * diagonal)};
+double automatic_kernel_size(double mean_edge, double diagonal) {
+    return std::max(least_kernel_size(mean_edge), 0.0045 * diagonal);
 }
 
 double global_kernel_size(const PreparedMesh& mesh, const PrecomputeOptions& options) {
     if (options.drawn_kernel_size > 0) {
-        const KernelRange range = drawn_kernel_range(mesh.mean_edge, 1);
-        return std::clamp(options.drawn_kernel_size / mesh.diagonal, range.least, range.most);
+        const double least = least_kernel_size(mesh.mean_edge);
+        return std::clamp(options.drawn_kernel_size / mesh.diagonal, least,
+                          std::max(least, kLargestDrawnKernel));
     }
     return options.kernel_size > 0
                ? std::clamp(options.kernel_size / mesh.diagonal, kSmallestKernel, kLargestKernel)

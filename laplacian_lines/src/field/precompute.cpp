@@ -48,7 +48,7 @@ double chosen_normal_sigma(const PreparedMesh& mesh, const PrecomputeOptions& op
 
 /// From 0 where the kernel is the least for these edges; local units.
 double least_sigma(double kernel_size, double mean_edge) {
-    const double least = drawn_kernel_range(mean_edge, 1).least;
+    const double least = least_kernel_size(mean_edge);
     const double fineness = kernel_size * kernel_size - least * least;
     return std::min(kFineSigma * mean_edge, kSigmaOfFineness * std::sqrt(std::max(fineness, 0.)));
 }
