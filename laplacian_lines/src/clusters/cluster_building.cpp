@@ -11,6 +11,7 @@
 #include "clusters/cluster_partition.h"
 #include "clusters/coarseness.h"
 #include "clusters/linear_forms.h"
+#include "field/tensor_fits.h"
 #include "mesh/flat_faces.h"
 #include "rules/convexity.h"
 #include "system/large_array.h"
@@ -75,7 +76,10 @@ Eigen::Vector3d centre_of(const std::vector<LocalVertex>& values) {
 class ClusterBuilder {
 public:
     ClusterBuilder(const PreparedMesh& mesh, const Field& field, ExtractorData& data)
-        : mesh_(mesh), field_(field), data_(data) {}
+        : mesh_(mesh),
+          field_(field),
+          squared_scale_(squared_scale(derivative_kernel(field.scale), field.scale)),
+          data_(data) {}
 
     void build(const StageProgress& stage) {
         stage.report(0);
@@ -188,7 +192,7 @@ private:
         const std::uint32_t v = mesh_.original_vertex[prepared];
         // The smoothing of the normals follows the adaptive kernel, see PrecomputeOptions.
         const double ratio = double(field_.kernel_sizes[v]) / field_.scale.kernel_size;
-        const double squared_effective = ratio * ratio * data_.squared_scale;  // h_e
+        const double squared_effective = ratio * ratio * squared_scale_;  // h_e
         return {
             mesh_.positions[prepared], bounded(field_.normals[v], 1, 2), local_shape_operator(v),
             float(bounded(squared_effective * std::sqrt(squared_effective), kLargestSlopeScale))};
@@ -283,6 +287,7 @@ private:
 
     const PreparedMesh& mesh_;
     const Field& field_;
+    const double squared_scale_;  // h_e of the kernel of derivatives
     ExtractorData& data_;
     std::vector<std::uint8_t> coarse_, plain_;          // by triangle of the mesh
     std::vector<std::uint8_t> convex_, convex_around_;  // by vertex
@@ -291,6 +296,11 @@ private:
 };
 
 }  // namespace
+
+double squared_scale(double kernel_size, const FieldScale& scale) {
+    const double size = kernel_size / scale.diagonal, sigma = scale.normal_sigma / scale.diagonal;
+    return size * size + sigma * sigma / 2;
+}
 
 void build_clusters(const PreparedMesh& mesh, const Field& field, const StageProgress& stage,
                     ExtractorData& data) {

@@ -43,27 +43,19 @@ PreparedMesh prepare(const TriangleMesh& mesh, const Field& field, int undone) {
                             field.report.turned_triangles > 0 ? Facing::Outwards : Facing::Kept);
 }
 
-/// h_e of the whole mesh for a √h, D².
-double squared_scale(double kernel_size, const FieldScale& scale) {
-    const double size = kernel_size / scale.diagonal, sigma = scale.normal_sigma / scale.diagonal;
-    return size * size + sigma * sigma / 2;
-}
-
 /// Times a factor that moves no zeros, so that the slope_scale of the vertices' records, which is
 /// of the kernel of derivatives, gives slopes of their own.
-LaplacianForms laplacian_forms(const PreparedMesh& mesh, const Field& field,
-                               const ExtractorData& data) {
-    LaplacianForms forms;
-    forms.kernel_size = float(field.scale.kernel_size / field.scale.diagonal);
-    const double share_of_records =
-        squared_scale(field.scale.kernel_size, field.scale) / data.squared_scale;
+std::vector<FormGroup> laplacian_forms(const PreparedMesh& mesh, const Field& field,
+                                       const ExtractorData& data) {
+    const double share_of_records = squared_scale(field.scale.kernel_size, field.scale) /
+                                    squared_scale(derivative_kernel(field.scale), field.scale);
     const Cluster* last = data.clusters.empty() ? nullptr : &data.clusters.back();
-    forms.groups = large_array<FormGroup>(last ? last->first_form_group + form_groups(*last) : 0);
+    auto forms = large_array<FormGroup>(last ? last->first_form_group + form_groups(*last) : 0);
     const double factor =
         data.diagonal * data.diagonal * std::pow(share_of_records, 1.5 * kOwnShare);
     in_parallel(data.clusters.size(), [&](std::size_t c) {
         const Cluster& cluster = data.clusters[c];
-        write_forms(&forms.groups[cluster.first_form_group], cluster, [&](unsigned i) {
+        write_forms(&forms[cluster.first_form_group], cluster, [&](unsigned i) {
             const std::uint32_t v = data.vertices_of_clusters[cluster.first_vertex + i];
             const Eigen::Vector3f& laplacian = field.laplacian_normals[mesh.original_vertex[v]];
             return FormVector{bounded(laplacian, factor, kLargestLaplacian), mesh.positions[v]};
@@ -104,7 +96,7 @@ ClusterStore ExtractorData::store() const {
     return {reinterpret_cast<const unsigned char*>(memory_of_clusters.data()),
             clusters.data(),
             border_edges.data(),
-            laplacians.groups.data(),
+            laplacians.data(),
             bounds.data(),
             curvatures.empty() ? nullptr : curvatures.data()};
 }
@@ -112,7 +104,7 @@ ClusterStore ExtractorData::store() const {
 std::size_t ExtractorData::memory() const {
     return sizeof(*this) + bytes(memory_of_clusters) + bytes(clusters) +
            bytes(vertices_of_clusters) + bytes(border_edges) + bytes(bounds) + bytes(curvatures) +
-           laplacians.memory();
+           bytes(laplacians) + horizon.memory();
 }
 
 std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {
@@ -126,7 +118,7 @@ std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {
              triangles_of(store, cluster),
              reinterpret_cast<const VertexRecord*>(memory_of(store, cluster) +
                                                    cluster_layout(cluster).records),
-             data.laplacians.groups.data() + cluster.first_form_group,
+             data.laplacians.data() + cluster.first_form_group,
              data.curvatures.empty() ? nullptr : data.curvatures.data() + cluster.first_vertex});
         triangles += cluster.triangle_count;
     }
@@ -154,7 +146,7 @@ ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field,
     data.diagonal = prepared.diagonal;
     if (data.centre.cwiseAbs().maxCoeff() > kFar * data.diagonal) data.origin = data.centre;
     data.is_rough = is_rough(field.report);
-    data.squared_scale = squared_scale(derivative_kernel(field.scale), field.scale);
+    data.kernel_size = float(field.scale.kernel_size / field.scale.diagonal);
     build_clusters(prepared, field, stage.part(kPrepared, 1), data);
     data.laplacians = laplacian_forms(prepared, field, data);
     if (field.has_derivatives()) data.curvatures = curvature_records(prepared, field, data);

@@ -14,15 +14,6 @@
 
 namespace laplacian_lines {
 
-/// The linear forms Δn·(e − w p) of the vertices of all clusters: all of a mesh that a redraw reads
-/// and that depends on the kernel.
-struct LaplacianForms {
-    std::vector<FormGroup> groups;  ///< cluster by cluster
-    float kernel_size = 0;          ///< √h, D
-
-    std::size_t memory() const { return groups.capacity() * sizeof(FormGroup); }  ///< bytes
-};
-
 /// The mesh as a redraw reads it, see cluster_data.h. Local coordinates x' = (x − centre)/D, so
 /// that all thresholds are dimensionless as they stand.
 struct ExtractorData {
@@ -43,8 +34,8 @@ struct ExtractorData {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the bounding box, mesh units
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< of line sets
     double diagonal = 1;                               ///< D, mesh units
-    double squared_scale = 0;                          ///< h_e of the records, D²
-    LaplacianForms laplacians;                         ///< √h as of its field
+    std::vector<FormGroup> laplacians;                 ///< linear forms of Δn, cluster by cluster
+    float kernel_size = 0;                             ///< √h of Δn, D
     double flat_share = 0;                             ///< of the area, see flat_faces.h
     bool is_rough = false;  ///< edges of the mesh are those of noise or voxels, not of the form
     bool is_sheet = false;  ///< its borders are so long that it is seen from both sides

@@ -92,7 +92,7 @@ ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEy
     for (unsigned number = 0; number < kStripKindCount; ++number) {
         const LineKind kind = kStripKinds[number];
         LineRules rules = strip_rules(kind, style, task.light_at_eye);
-        rules.kernel_size = data.laplacians.kernel_size;
+        rules.kernel_size = data.kernel_size;
         if (data.is_sheet) rules.concave_thinning = LineRules::kNoThinning;
         const float least_facing =
             rules.leave_out_away ? 0 : least_scaled_facing(rules.least_facing, eye);
