@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -183,8 +184,7 @@ Precision precision_of(const std::vector<Vector3d>& positions,
 }
 
 bool is_closed(const std::vector<Triangle>& triangles) {
-    std::vector<std::uint64_t> sums(block_count(triangles.size()));
-    in_blocks(triangles.size(), [&](std::size_t begin, std::size_t end) {
+    const auto of_block = [&](std::size_t begin, std::size_t end) {
         std::uint64_t sum = 0;
         for (std::size_t t = begin; t < end; ++t)
             for (unsigned k = 0; k < 3; ++k) {
@@ -192,9 +192,9 @@ bool is_closed(const std::vector<Triangle>& triangles) {
                 const std::uint64_t hash = mix_hash(0, std::min(u, v) << 32 | std::max(u, v));
                 sum += u < v ? hash : -hash;
             }
-        sums[begin / kBlockElements] = sum;
-    });
-    return std::accumulate(sums.begin(), sums.end(), std::uint64_t(0)) == 0;
+        return sum;
+    };
+    return join_blocks(triangles.size(), std::uint64_t(0), of_block, std::plus<>()) == 0;
 }
 
 void make_conforming(const std::vector<Vector3d>& positions,
