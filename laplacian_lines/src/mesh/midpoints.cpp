@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "mesh/bounding_box.h"
-#include "mesh/triangles_at.h"
 
 namespace laplacian_lines {
 namespace {
@@ -55,6 +54,27 @@ bool is_midpoint(std::uint32_t vertex, const std::vector<Triangle>& triangles,
             if (a < b && a != vertex && b != vertex && is_middle(vertex, a, b)) return true;
     return false;
 }
+
+/// The triangles at each vertex.
+class TrianglesAt {
+public:
+    TrianglesAt(std::size_t vertices, const std::vector<Triangle>& triangles)
+        : starts_(vertices + 2, 0), triangles_(3 * triangles.size()) {
+        for (const Triangle& t : triangles)
+            for (const std::uint32_t v : t)
+                ++starts_[v + 2];
+        for (std::size_t v = 2; v < starts_.size(); ++v)
+            starts_[v] += starts_[v - 1];
+        for (std::uint32_t i = 0; i < triangles.size(); ++i)
+            for (const std::uint32_t v : triangles[i])
+                triangles_[starts_[v + 1]++] = i;
+    }
+    const std::uint32_t* begin(std::size_t v) const { return triangles_.data() + starts_[v]; }
+    const std::uint32_t* end(std::size_t v) const { return triangles_.data() + starts_[v + 1]; }
+
+private:
+    std::vector<std::uint32_t> starts_, triangles_;
+};
 
 /// Puts quarters together, from one corner of a large triangle to the next.
 class QuarterJoiner {
