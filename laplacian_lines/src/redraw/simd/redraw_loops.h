@@ -13,7 +13,8 @@
 namespace laplacian_lines {
 
 /// Kinds of lines that are found anew at each redraw, as strips in the clusters: the zeros of a
-/// function of the vertices. Arrays by kind are in this order. What the kinds are: kinds/.
+/// function of the vertices. Arrays by kind are in this order. What the kinds are:
+/// simd_kinds.h, simd_apparent.h.
 constexpr LineKind kStripKinds[] = {LineKind::Laplacian,         LineKind::Contour,
                                     LineKind::SuggestiveContour, LineKind::SuggestiveHighlight,
                                     LineKind::PhoticExtremum,    LineKind::ApparentRidge};
