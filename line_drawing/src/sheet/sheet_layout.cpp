@@ -176,7 +176,7 @@ class Layout {
 public:
     Layout(const std::vector<DrawnView>& views, const SheetOptions& options,
            int sections_in_a_row = 0)
-        : views_(views), options_(options), cells_(cellsOf(views, options, sections_in_a_row)) {
+        : options_(options), cells_(cellsOf(views, options, sections_in_a_row)) {
         for (std::size_t i = 0; i < views.size(); ++i) {
             const auto& box = views[i].bounds;
             const Vector2d room = roomOfMarks(views[i]);
@@ -210,7 +210,6 @@ public:
     }
 
 private:
-    const std::vector<DrawnView>& views_;
     const SheetOptions& options_;
     const std::vector<Cell> cells_;
     Bands rows_, columns_;
