@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh_files/mesh_file.h"
 
+#include <algorithm>
 #include <array>
 
 #include "mesh_builder.h"
@@ -34,6 +35,20 @@ std::string joined(const std::string& remark, std::size_t skipped_faces) {
            "faces skipped that have fewer than three corners: " + std::to_string(skipped_faces);
 }
 
+/// Of a mesh whose faces do not all have a place.
+std::string lack_of(const laplacian_lines::TriangleMesh& mesh) {
+    const auto is_nowhere = [&](std::uint32_t corner) {
+        return !mesh.positions[corner].allFinite();
+    };
+    const auto lacking = std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
+                                       [&](const laplacian_lines::Triangle& t) {
+                                           return std::any_of(t.begin(), t.end(), is_nowhere);
+                                       });
+    if (lacking == 0) return {};
+    return std::to_string(lacking) + " of " + std::to_string(mesh.triangles.size()) +
+           " triangles have corners without finite coordinates";
+}
+
 }  // namespace
 
 std::optional<Format> format_of(std::string_view ending) {
@@ -62,6 +77,7 @@ MeshInFile read_mesh(Format format, std::string_view bytes) {
         file.defect = defect.what;
     }
     file.mesh = builder.finish(file.defect);
+    if (file.defect.empty()) file.defect = lack_of(file.mesh);
     return file;
 }
 

@@ -33,7 +33,8 @@ QJsonObject provenanceOf(const std::string& name) {
 
 /// Files come from anywhere: they must not name other files.
 bool isOption(const std::string& word) {
-    return word.substr(0, 2) == "--" && word != "--" && word != "--like";
+    return word.substr(0, 2) == "--" && word != "--" && word != "--like" &&
+           word.find('=') == std::string::npos;
 }
 
 /// Of an SVG, PDF or DXF file that is to be made again, with options that can be given here.
@@ -63,6 +64,15 @@ std::string take(Words& rest) {
 std::string takeValue(Words& rest, const std::string& option) {
     if (rest.empty()) refuse(option + " needs a value; see --help.");
     return take(rest);
+}
+
+/// Puts "--option", "value" in place of a first "--option=value".
+void splitAssignment(Words& rest) {
+    const std::size_t equals = rest.front().find('=');
+    if (rest.front().substr(0, 2) != "--" || equals == std::string::npos) return;
+    const std::string value = rest.front().substr(equals + 1);
+    rest.front().resize(equals);
+    rest.insert(rest.begin() + 1, value);
 }
 
 /// Consumes an option with its value. False for the name of a file.
@@ -100,6 +110,7 @@ CommandLine parseCommandLine(Words rest) {
     CommandLine result;
     Words names, formats;
     while (!rest.empty()) {
+        splitAssignment(rest);
         const std::string word = take(rest);
         if (word == "--")
             names.insert(names.end(), rest.begin(), rest.end()), rest.clear();

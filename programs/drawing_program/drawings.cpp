@@ -28,24 +28,12 @@ const char* const contact_name = "contact_sheet";
 constexpr double bytes_per_triangle = 8e3;
 constexpr double share_of_free_memory = 0.8;
 
-/// What is missing of an object, if anything.
-std::string lackOf(const ReadMesh& read) {
-    if (!read.defect.empty()) return read.defect;
-    const auto& all = read.mesh.positions;
-    const auto lacking = std::count_if(all.begin(), all.end(),
-                                       [](const Eigen::Vector3d& p) { return !p.allFinite(); });
-    if (lacking == 0) return {};
-    return std::to_string(lacking) + " of " + std::to_string(all.size()) +
-           " vertices have no finite coordinates";
-}
-
 /// File names, those not drawn whole marked by a word before: notes may be cut off at the end.
 std::string noteOf(const std::vector<ReadMesh>& meshes) {
     Words names;
     for (const ReadMesh& read : meshes) {
-        const std::string lack = lackOf(read);
-        names.push_back((lack.empty() ? "" : "incomplete: ") + read.source.name);
-        if (!lack.empty()) say(stderr, read.file + " is drawn incomplete: " + lack);
+        names.push_back((read.defect.empty() ? "" : "incomplete: ") + read.source.name);
+        if (!read.defect.empty()) say(stderr, read.file + " is drawn incomplete: " + read.defect);
     }
     return line_drawing::joined(names, ", ");
 }
@@ -147,12 +135,32 @@ std::vector<Item> itemsOf(const Words& meshes) {
     return items;
 }
 
+/// Is there as long as this is; what of it was made for this stays if anything is in it.
+class Folder {
+public:
+    explicit Folder(const fs::path& name) {
+        std::error_code none;
+        for (fs::path part = name; !part.empty() && !fs::exists(part, none);
+             part = part.parent_path())
+            made_.push_back(part);
+        fs::create_directories(name, none);
+    }
+    ~Folder() {
+        std::error_code none;
+        for (const fs::path& part : made_)
+            fs::remove(part, none);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+private:
+    std::vector<fs::path> made_;  // inner ones first
+};
+
 class Collection {
 public:
     explicit Collection(const CommandLine& commands)
-        : commands_(commands), items_(itemsOf(commands.meshes)) {
-        std::error_code none;
-        fs::create_directories(commands.drawing, none);
+        : commands_(commands), items_(itemsOf(commands.meshes)), folder_(commands.drawing) {
         line_drawing::checkWritable(fileOf(contact_name));
     }
 
@@ -224,11 +232,13 @@ private:
             line_drawing::outlineTexts(sheet);
         sheet.provenance = line_drawing::provenanceText(meshes, commands_.words);
         line_drawing::writeWhole(file, writeSheet(sheet, file, commands_.choices.dpi));
-        say(stdout, file + ": " + std::to_string(entries.size()) + " objects");
+        say(stdout, file + ": " + std::to_string(entries.size()) +
+                        (entries.size() == 1 ? " object" : " objects"));
     }
 
     const CommandLine& commands_;
     std::vector<Item> items_;
+    const Folder folder_;
     std::atomic<std::size_t> next_{0};
     const int thread_count_ = std::min(laplacian_lines::thread_limit(), int(items_.size()));
     const double memory_of_thread_ = share_of_free_memory * freeMemory() / thread_count_;

@@ -83,15 +83,14 @@ ReadMesh readMesh(const std::string& file, bool draws_damaged) {
     if (!format) refuse(file, "meshes are read from PLY, OBJ, STL and OFF files.");
     auto hash = std::async(std::launch::async, [&] { return sha256Of(*bytes); });
     auto [mesh, defect, remark] = mesh_files::read_mesh(*format, *bytes);
-    const std::string triangles = std::to_string(mesh.triangles.size());
     if (mesh.triangles.empty() && !defect.empty())
         refuse(file, "the mesh cannot be read: " + defect + '.');
     if (mesh.triangles.empty())
         refuse(file, "the mesh has no faces; lines are drawn on surfaces." +
                          (remark.empty() ? "" : " Of the file, " + remark + '.'));
     if (!defect.empty() && !draws_damaged)
-        refuse(file, "the file is damaged: " + defect + ". With --damaged draw, the " + triangles +
-                         " triangles before that are drawn.");
+        refuse(file, "the file is damaged: " + defect +
+                         ". With --damaged draw, what is whole of it is drawn.");
     const fs::path name = fs::path(file).filename();
     return {file,
             std::move(mesh),

@@ -32,8 +32,9 @@ def run_drawing(words, folder):
             names += words
             break
         if word.startswith("--"):
-            options += [word, *words[:1]]
-            words = words[1:]
+            taken = 0 if "=" in word else 1
+            options += [word, *words[:taken]]
+            words = words[taken:]
         else:
             names.append(word)
     if not names:

@@ -57,13 +57,28 @@ for sentence, words in (
         ("no faces", "plate.svg points.off"),
         ("empty.ply: the mesh cannot be read", "plate.svg empty.ply"),
         ("nonsense.stl: the mesh cannot be read: it ends within its header.", "plate.svg nonsense.stl"),
-        ("no triangle with an area", "plate.svg nowhere.off"),
+        ("no triangle with an area", "plate.svg --damaged draw nowhere.off"),
         ("cannot be written", "/proc/plate.svg cube.off")):
     refused(sentence, *words.split(" "))
 
-# what is not finite is left out, and a size that can hardly be meant gives advice
-off("hole.off", ["nan nan nan" if vertex == "100 100 100" else vertex for vertex in VERTICES])
-expect_said(draw("hole.svg", *BARE, "hole.off"), "hole.off is drawn incomplete: 1 of 8 vertices", "100.0 x 100.0 x 100.0 mm")
+# a value may stand behind an equals sign
+draw("apart.svg", "--views", "top", "--title", "a=b", "cube.off")
+draw("joined.svg", "--views=top", "--title=a=b", "cube.off")
+expect(filecmp.cmp("apart.svg", "joined.svg", shallow=False), "--views=top is not --views top")
+refused("unknown option --view;", "plate.svg", "--view=top", "cube.off")
+
+# faces without a place are a damage, vertices of no face are none; a size that can hardly be meant gives advice
+hole = ["nan nan nan" if vertex == "100 100 100" else vertex for vertex in VERTICES]
+off("hole.off", hole)
+write("hole.obj", *(f"v {vertex}" for vertex in hole),
+      *(f"f {' '.join(str(int(word) + 1) for word in face.split())}" for face in FACES))
+for file in "hole.off", "hole.obj":
+    refused(f"{file}: the file is damaged: 5 of 12 triangles have corners without finite coordinates. With --damaged draw, ",
+            "plate.svg", file)
+    said = draw("hole.svg", *BARE, "--damaged", "draw", file)
+    expect_said(said, f"{file} is drawn incomplete: 5 of 12 triangles", "100.0 x 100.0 x 100.0 mm")
+off("unused.off", [*VERTICES, "nan nan nan"])
+expect("incomplete" not in draw("unused.svg", *BARE, "unused.off"), "a vertex of no face makes a mesh incomplete")
 off("metres.off", moved(1e-5))
 expect_said(draw("metres.svg", "--scale", "1:1", "--unit", "m", *BARE, "metres.off"), "1.00 x 1.00 x 1.00 mm in size")
 expect_said(draw("metres.svg", *BARE, "metres.off"), "if it is in metres, say --unit m")
@@ -95,7 +110,7 @@ expect("dź" not in text_of("letters.txt") and "100.0 × 100.0" in text_of("lett
 corners = ["vertex 0 0 0", "vertex 100 0 0", "vertex 0 100 0"]
 write("cut.stl", "solid cut", *2 * ["facet normal 0 0 1", " outer loop", *corners, " endloop", "endfacet"])
 write("cut.stl", *text_of("cut.stl").splitlines()[:10], "vertex 100 0 0", "vertex 100 100")
-refused('cut.stl: the file is damaged: line 12: it ends without "endsolid". With --damaged draw, the 1 triangles',
+refused('cut.stl: the file is damaged: line 12: it ends without "endsolid". With --damaged draw, what is whole',
         "plate.svg", "cut.stl")
 expect_said(draw("incomplete.svg", "--views", "top", "--up", "z", "--damaged", "draw", "cut.stl"),
             "cut.stl is drawn incomplete: line 12")
@@ -151,6 +166,13 @@ for sentence, words in (
         ("between 20 and 2400", "plate.png --dpi 5 cube.off"),
         ("is too large", "plate.png --dpi 2400 --paper a0 cube.off")):
     refused(sentence, *words.split())
+
+expect_said(draw("alone/", "cube.off"), "alone/contact_sheet.pdf: 1 object\n")
+draw("deep/folder/", "points.off", code=1)
+expect(not os.path.exists("deep"), "a folder without drawings is left")
+os.mkdir("mine")
+draw("mine/", "points.off", code=1)
+expect(os.path.isdir("mine"), "a folder that was there is gone")
 
 # --- names of files are bytes
 

@@ -20,7 +20,8 @@ struct MeshInFile {
     /// Vertices as in the file, three per triangle in STL. Polygons are triangulated inside.
     laplacian_lines::TriangleMesh mesh;
     /// Where and why the file is malformed: "line 12: a vertex has two coordinates". The mesh has
-    /// what comes before. Empty: the file is sound.
+    /// what comes before; all, if only corners of triangles are without finite coordinates. Empty:
+    /// the file is sound.
     std::string defect;
     /// What of a sound file was skipped: "faces skipped that have fewer than three corners: 2".
     std::string remark;
