@@ -149,10 +149,23 @@ void expectAction(const Command& command) {
         throw CommandError(QString("it is %1").arg(action->isChecked() ? "checked" : "unchecked"));
 }
 
-void setDecorationParameter(const Command& command) {
+QTreeWidget* decorationTree() {
     auto* tree = requireMainWindow()->findChild<QTreeWidget*>("decParsTree");
     if (!tree) throw CommandError("the layer dialog shows no decoration parameters");
-    setField(tree, command);
+    return tree;
+}
+
+void setDecorationParameter(const Command& command) {
+    setField(decorationTree(), command);
+}
+
+void openDecorationParameters(const Command&) {
+    if (QTreeWidgetItem* first = decorationTree()->topLevelItem(0)) first->setExpanded(true);
+}
+
+void expectOpenParameters(const Command&) {
+    const QTreeWidgetItem* first = decorationTree()->topLevelItem(0);
+    if (!first || !first->isExpanded()) throw CommandError("they are not open");
 }
 
 // For commands that wait for a modal box.
@@ -225,6 +238,8 @@ void addDialogCommands(CommandTable& table) {
     table["apply"] = {[](const Command&) { clickButton(filterDialog(), "Apply"); }};
     table["close"] = {[](const Command&) { clickButton(filterDialog(), "Close"); }};
     table["setdeco"] = {setDecorationParameter};
+    table["open-parameters"] = {openDecorationParameters};
+    table["expect-open-parameters"] = {expectOpenParameters};
     table["expect-modal"] = inModal(expectModal);
     table["set-modal"] = inModal(setField);
     table["button"] = inModal([](QWidget* modal, const Command& c) { clickButton(modal, c.rest); });

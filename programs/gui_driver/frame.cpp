@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "command_table.h"
@@ -267,10 +268,30 @@ void frame(const Command& command) {
     placeCamera(place);
 }
 
+/// z if the surfaces are clearly higher along it than wide, as many scans of figures are; else
+/// MeshLab's y. Without a surface there is none.
+std::optional<QString> likelyUp() {
+    constexpr double least_height = 1.3;  // in the larger of the other sizes
+    try {
+        const Eigen::Vector3d sizes = boxOf(allCorners()).sizes();
+        return sizes.z() > least_height * std::max(sizes.x(), sizes.y()) ? "z" : "y";
+    } catch (const CommandError&) {
+        return std::nullopt;
+    }
+}
+
+// [UP]: MeshLab's first view has the front already if y is up.
+void frameUpright(const Command& command) {
+    const std::optional<QString> likely = likelyUp();
+    const QString up = command.words.value(0, likely.value_or("y"));
+    if (likely && up != "y") frame(parseLine("frame 0 0 " + up));
+}
+
 }  // namespace
 
 void addFrameCommands(CommandTable& table) {
     table["frame"] = {frame};
+    table["frame-upright"] = {frameUpright};
 }
 
 }  // namespace driver

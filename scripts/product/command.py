@@ -45,6 +45,8 @@ def parse(words):
     parser.add_argument("meshes", nargs="*", metavar="MESH", help=argparse.SUPPRESS)
     parser.add_argument("--set", action="append", type=setting, default=[], metavar="NAME=VALUE", help="any parameter of the "
                         'lines, for this window or picture, such as Detail=70 or "Line Color=navy"; a wrong NAME lists all')
+    parser.add_argument("--up", choices=list("xyz"), help="the axis of the mesh that points upwards in the first view, or in "
+                        "the picture; otherwise y, in a window z if the mesh is 1.3 times as high along it as wide")
     modes = parser.add_argument_group("what to do instead").add_mutually_exclusive_group()
     modes.add_argument("--picture", metavar="FILE.png", type=picture.picture_file, help="writes a drawing of MeshLab's view")
     modes.add_argument("--server", nargs=argparse.REMAINDER, metavar="ARGS", help="runs meshlabserver ARGS..., or PyMeshLab in "
@@ -63,8 +65,8 @@ def parse(words):
 
     others = [name for name in ("server", "python", "install", "uninstall", "package", "portable")
               if getattr(options, name) not in (None, False)]
-    if others and (options.meshes or options.set):
-        raise Failure(f"--{others[0]} takes neither meshes nor --set")
+    if others and (options.meshes or options.set or options.up):
+        raise Failure(f"--{others[0]} takes neither meshes nor --set nor --up")
     for mesh in options.meshes:
         check_mesh(mesh)
     if not others and not options.picture and not os.environ.get("DISPLAY"):
@@ -92,7 +94,7 @@ def show(options, work):
     build, meshes = build_folder(), options.meshes or [""]
     if not options.picture:
         stage = build_and_stage("meshlab_plugins")
-        return open_window(stage, work, meshes, settings_commands(build, options.set))
+        return open_window(stage, work, meshes, settings_commands(build, options.set), options.up)
     is_sheet = options.kinds or len(meshes) > 1 or len(options.view) > 1
     stage = build_and_stage("picture_plugins", *packages.DISPLAY, *(["imagemagick"] if is_sheet else []))
     columns = picture.columns_of(build, options.kinds)

@@ -90,11 +90,20 @@ def opening(name, folder):
     return loading(drivable_mesh(name, folder))
 
 
-def open_window(stage, folder, names, settings=()):
-    """Meshes and projects in one window. MeshLab only keeps its dialogs' settings if told to."""
+def framing(names, up):
+    """The driver's commands that turn the first view, which has y up. Projects have views of their own."""
+    if up:
+        return [f"frame-upright {up}"]
+    return [] if any(map(is_project, names)) else ["frame-upright"]
+
+
+def open_window(stage, folder, names, settings=(), up=None):
+    """Meshes and projects in one window, with the axis `up` upwards, or else the one that is likely to be. MeshLab only
+    keeps its dialogs' settings if told to."""
     openings = [line for number, name in enumerate(names) for line in opening(name, folder / str(number))]
     say("opening MeshLab; Laplacian Lines is under Render")
-    code = run_meshlab(stage, folder, [LIMIT, "wait", *openings, "draw-all-lines", *settings])
+    code = run_meshlab(stage, folder, [LIMIT, "wait", *openings, "draw-all-lines", "open-parameters",
+                                       *framing(names, up), *settings])
     if code != 0:
         opened = re.findall(r"^meshlab_driver: line \d+: (?:load|open-project) (.*)$", "\n".join(log_lines(folder)),
                             re.M)

@@ -47,7 +47,6 @@ def add_options(parser):
                             "get wider with the shorter side"),
         parser.add_argument("--view", type=view, default=[], action="append", help=f"from the {', '.join(VIEWS)}, or "
                             "AZIMUTH,ELEVATION, degrees to the right around the mesh and up, -90 to 90; once for each drawing"),
-        parser.add_argument("--up", choices=list("xyz"), default="y", help="the axis of the mesh that points upwards (y)"),
         parser.add_argument("--zoom", type=zoom, default="1", metavar="FACTOR", help="the middle of the drawing, larger "
                             "(0.1 to 10)"),
         parser.add_argument("--orthographic", action="store_true", help="without perspective"),
@@ -125,7 +124,7 @@ class Pictures:
         commands = ["draw-lines", "setdeco Surface = Paper", *live, *self.settings]
         for v, view in enumerate(self.views):
             angles = VIEWS.get(view or "front", view).replace(",", " ")
-            commands.append(f"frame {angles} {options.up} {options.zoom} {projection}")
+            commands.append(f"frame {angles} {options.up or 'y'} {options.zoom} {projection}")
             for c, column in enumerate(self.columns):
                 commands += filter(None, (column.before, f"grab {self.drawing(number, v, c)}"))
         yield "together " + " ; ".join([*commands, "trigger Delete Current Mesh"])

@@ -14,11 +14,11 @@ def project(file, *meshes):
                                   "<RasterGroup/>\n</MeshLabProject>\n")
 
 
-def expect_window(code, names, *commands, said=""):
+def expect_window(code, names, *commands, said="", up=None):
     """A window of these, in which the driver then does this."""
     shutil.rmtree("window", ignore_errors=True)
     os.mkdir("window")
-    ended = said_by(open_window, STAGE, WORK / "window", names, commands)
+    ended = said_by(open_window, STAGE, WORK / "window", names, commands, up)
     expect(ended == code, f"it ended with {ended} instead of {code}: {text_of('log')}")
     expect_text("log", said)
 
@@ -52,6 +52,17 @@ expect(red_pixels("red.png") > 100, "the settings do not count")
 expect(kept() == before, "what was set for one window is kept")
 expect(said_by(settings_commands, BUILD, ["Detail=70", "Detail=abc"]) == 1, "abc is taken")
 expect_text("log", '^laplacian-lines: "Detail" is abc. It has to be between 0 and 100.$')
+
+# what is higher along z stands, and its parameters are in sight; no surface is nothing to turn
+corners = [f"{x} {y} {z}" for z in (0, 4) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
+ply("tall.ply", corners, ["3 0 2 1", "3 0 3 2", "3 4 5 6", "3 4 6 7", "3 0 1 5", "3 0 5 4", "3 1 2 6", "3 1 6 5", "3 2 3 7",
+                          "3 2 7 6", "3 3 0 4", "3 3 4 7"])
+for axis, is_upright in ((None, True), ("z", True), ("y", False)):
+    expect_window(0, ["tall.ply"], "expect-open-parameters", "setdeco Surface = Paper", "check Show Trackball off",
+                  "check Show Info Panel off", f"grab {WORK}/tall.png", "leave", up=axis)
+    width, height = map(int, convert("tall.png", "-trim", "-format", "%w %h").split())
+    expect((height > 2 * width) == is_upright, f"with {axis} up, the picture is {width} x {height}")
+expect_window(0, ["point.ply"], "leave")
 
 project("incomplete.mlp", "torus.ply", "missing.ply")
 expect_window(1, ["torus.ply", "incomplete.mlp"], said="incomplete.mlp: MeshLab cannot open the project: .*missing.ply")

@@ -36,7 +36,7 @@ class Options(ScriptTest):
     def test_refused(self):
         pathlib.Path("scene.mlp").touch()
         self.expect_refused("argument --set: it needs NAME=VALUE", "--set", "Detail")
-        self.expect_refused("--python takes neither meshes nor --set", "--set", "Detail=70", "--python")
+        self.expect_refused("--python takes neither meshes nor --set nor --up", "--set", "Detail=70", "--python")
         self.expect_refused("unrecognized arguments: --sets", "--sets", "Detail=70")
         self.expect_refused("there is no mesh ", "none.ply")
         self.expect_refused("--install takes neither", "--install", "none.ply")
