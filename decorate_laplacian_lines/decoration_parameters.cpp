@@ -109,7 +109,8 @@ const std::vector<std::variant<DecorationRow, ColorRow>>& decorationTable() {
             "whatever is ticked. The last has all at once, each in a color of its own."),
         real<style, &LineStyle::detail>(
             "detail", "Detail", 0, 100,
-            "0 to 100: more or fewer lines of all kinds; 50 is the usual."),
+            "0 to 100: more or fewer lines of all kinds; 50 is the usual. At Rest they are those "
+            "of finer or coarser forms as well."),
         real<&Parameters::line_width>("line_width", "Line Width", 0.1, 64,
                                       "In pixels, where a line is strongest; it tapers where it "
                                       "fades out."),

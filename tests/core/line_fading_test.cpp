@@ -121,6 +121,22 @@ TEST(Detail, MovesEachThreshold) {
     }
 }
 
+TEST(Detail, DrawsFaintLinesInFull) {
+    const MadeUp made_up;
+    LineStyle style = all_opaque();
+    style.full_slope = 20 * double(made_up.lines(style).lines.at(0).slope);
+    const auto most = [&](double detail) {
+        style.detail = detail;
+        float weight = 0;
+        for (const LinePoint& point : made_up.lines(style).points)
+            weight = std::max(weight, point.weight);
+        return weight;
+    };
+    EXPECT_LT(most(50), 0.5f);
+    EXPECT_EQ(most(100), 1);
+    EXPECT_LE(most(20), most(50));
+}
+
 LineSet noisy_torus_lines(double smoothing) {
     static const TriangleMesh& mesh = test_meshes::mesh_named("torus_jittered").mesh;
     static const LineExtractor extractor(mesh, precompute(mesh));

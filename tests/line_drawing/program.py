@@ -67,6 +67,13 @@ draw("joined.svg", "--views=top", "--title=a=b", "cube.off")
 expect(filecmp.cmp("apart.svg", "joined.svg", shallow=False), "--views=top is not --views top")
 refused("unknown option --view;", "plate.svg", "--view=top", "cube.off")
 
+# more detail is more lines
+lengths = []
+for detail in "0", "50", "100":
+    draw("detail.svg", *BARE, "--scale", "100:1", "--paper", "fit", "--detail", detail, "torus.ply")
+    lengths.append(len(text_of("detail.svg")))
+expect(lengths[0] < lengths[1] < lengths[2], f"more detail draws {lengths} bytes")
+
 # faces without a place are a damage, vertices of no face are none; a size that can hardly be meant gives advice
 hole = ["nan nan nan" if vertex == "100 100 100" else vertex for vertex in VERTICES]
 off("hole.off", hole)

@@ -158,6 +158,21 @@ TEST(PrintedSize, DecidesAboutTheKernel) {
     EXPECT_NEAR(kernelOf(draw(mesh, optionsAt(2))), 2 * 1.3 * edge, 0.05 * 2 * edge);
 }
 
+TEST(PrintedSize, AndDetailDecideAboutTheKernel) {
+    const auto mesh = bumpySphere();
+    const auto kernelAt = [&](double scale, double detail, const char* kernel = "auto") {
+        SheetOptions options = optionsAt(scale);
+        options.style.detail = detail;
+        options.kernel = parseDetailSize(kernel);
+        return kernelOf(draw(mesh, options));
+    };
+    EXPECT_NEAR(kernelAt(0.4, 0), 2, 0.06);
+    EXPECT_NEAR(kernelAt(0.4, 25), std::sqrt(2), 0.05);
+    EXPECT_NEAR(kernelAt(0.4, 75), std::sqrt(0.5), 0.02);
+    EXPECT_NEAR(kernelAt(2, 100), kernelAt(2, 50), 1e-9) << "finer than the mesh";
+    EXPECT_NEAR(kernelAt(0.4, 100, "2mm"), 2, 0.06) << "asked for";
+}
+
 TEST(PrintedSize, DecidesAboutPens) {
     const auto mesh = made_sheets::cubeOf100();
     EXPECT_EQ(thickest(draw(mesh, optionsAt(1))), 0.5);

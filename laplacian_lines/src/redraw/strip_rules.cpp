@@ -54,7 +54,7 @@ LineRules laplacian_rules(const LineStyle& s, bool light_at_eye) {
     rules.leave_out_convex = s.single_strokes && s.fading <= kMostFadingOfConvex;
     rules.segment_slope = thresholds.segment_slope;
     rules.line_slope = thresholds.line_slope;
-    rules.full_slope = float(s.full_slope);
+    rules.full_slope = thresholds.full_slope;
     rules.least_strength = thresholds.strength;
     if (!light_at_eye) rules.contour_clearance = 0;
     rules.leave_out_away = rules.contour_clearance > 0;

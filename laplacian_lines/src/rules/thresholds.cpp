@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rules/thresholds.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "rules/line_rules.h"
@@ -10,6 +11,7 @@ namespace {
 
 /// D; for the least curvature.
 constexpr float kLeastApparent = 0.02f;
+constexpr float kLeastFullSlope = 1e-6f;  // weights are divided by it
 
 /// 1 at 50, falling: fitted to the number of lines on the Stanford bunny and dragon, igea and the
 /// armadillo.
@@ -32,6 +34,7 @@ Thresholds::Thresholds(const LineStyle& style) {
     strength = float(factor * style.strength_threshold);
     segment_slope = float(factor * style.segment_slope);
     line_slope = float(factor * style.line_slope);
+    full_slope = std::max(float(std::min(factor, 1.) * style.full_slope), kLeastFullSlope);
     shortest_line = float(std::sqrt(factor) * style.shortest_line);
     ridge_angle = float(std::pow(factor, 0.125) * style.ridge_angle);
     demarcation = float(factor * style.demarcation);

@@ -11,6 +11,7 @@ struct Thresholds {
 
     float gradient, strength;  ///< of Laplacian lines
     float segment_slope, line_slope;
+    float full_slope;     ///< above a detail of 50 less: what is faint is drawn in full
     float shortest_line;  ///< D
     float ridge_angle;    ///< degrees
     float demarcation;    ///< degrees

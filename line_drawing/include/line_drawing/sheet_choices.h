@@ -23,6 +23,7 @@ struct SheetChoices {
     Weights weights = Weights::Illustrator;
     bool is_of_all_layers = false;  ///< the visible ones
     int settings = 0;               ///< see settingsNames()
+    double detail = 50;             ///< as of LineStyle
     bool draws_damaged = false;     ///< files that are not whole
     double dpi = 300;               ///< of PNG
     int format = 1;                 ///< of drawings in a folder: PDF of sheet_formats

@@ -94,7 +94,8 @@ struct SheetOptions : SheetLook {
     std::string paper = "a4";  ///< a5 to a0, or "fit": as large as the drawing
     /// Drawings of less than 40 mm have finer ones.
     Pens pens = pensOf(Weights::Illustrator);
-    /// √h of the inner lines. 0: four inner pens, as far as the mesh has the detail.
+    /// √h of the inner lines. 0: four inner pens, by style.detail twice to half as much, as far as
+    /// the mesh has the detail.
     DetailSize kernel;
     /// Standard deviation of the smoothing of normals. 0: by the mesh's roughness, at least √h / 4.
     DetailSize smoothing;

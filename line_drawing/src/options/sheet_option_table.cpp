@@ -76,6 +76,10 @@ std::vector<SheetOption> makeTable() {
              "As the Decoration: lines and light as it has drawn them last in a window. The "
              "others: lines of these kinds, with the outlines."),
          Place::Filter},
+        {rows::real<&S::detail>(
+            "detail", "Detail", 0, 100,
+            "0 to 100: more or fewer lines of all kinds, of finer or coarser forms; 50 is the "
+            "usual.")},
         {rows::choice<look, &SheetLook::arrangement>(
             "arrangement", "Arrangement", {"First Angle", "Third Angle"},
             "How views lie around the front view. First angle (Europe): what is seen from the left "

@@ -204,6 +204,7 @@ SheetOptions sheetOptions(const SheetChoices& chosen, const NamedViews& others) 
     options.kernel = parseDetailSize(chosen.kernel);
     options.smoothing = parseDetailSize(chosen.smoothing);
     options.style.shows = kindsIn(chosen.kinds);
+    options.style.detail = chosen.detail;
     return options;
 }
 

@@ -27,11 +27,17 @@ double lengthOf(const DetailSize& detail, double mm, double diagonal) {
     return detail.is_share ? detail.size * diagonal : detail.size / mm;
 }
 
+/// 2 at 0, 1 at 50, 1/2 at 100.
+double kernelFactor(double detail) {
+    return std::exp2(1 - detail / 50);
+}
+
 /// `mm`: on paper, per mesh unit.
 PrecomputeOptions fieldOptions(const SheetOptions& options, double mm) {
     PrecomputeOptions result;
-    result.drawn_kernel_size =
-        laplacian_lines::kDrawnKernelWidths * options.pens[std::size_t(LineClass::Inner)] / mm;
+    result.drawn_kernel_size = kernelFactor(options.style.detail) *
+                               laplacian_lines::kDrawnKernelWidths *
+                               options.pens[std::size_t(LineClass::Inner)] / mm;
     result.curvature_derivatives = options.style.shows.needs_derivatives();
     return result;
 }
@@ -57,6 +63,7 @@ Field computeField(const Object& object, PrecomputeOptions wanted, const SheetOp
 }  // namespace
 
 void ObjectLines::makeReady(const SheetOptions& options, double scale, const Progress& progress) {
+    validate(options.style);
     const double mm = scale * options.mm_per_unit;
     const PrecomputeOptions wanted = fieldOptions(options, mm);
     const bool are_given = std::all_of(objects_.begin(), objects_.end(),
