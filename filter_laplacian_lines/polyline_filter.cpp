@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters.h"
 
+#include <Eigen/LU>
 #include <QFileInfo>
 #include <array>
-#include <optional>
+#include <vector>
 
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/line_visibility.h"
+#include "laplacian_lines/precompute.h"
 #include "line_drawing/object.h"
+#include "line_drawing/view_strokes.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/current_view.h"
 #include "meshlab_host/documents.h"
@@ -16,6 +19,7 @@
 #include "meshlab_host/field_source.h"
 #include "meshlab_host/layer_drawing.h"
 #include "meshlab_host/mesh_conversion.h"
+#include "placed_layers.h"
 #include "polyline_parameters.h"
 #include "polyline_view.h"
 
@@ -28,8 +32,9 @@ namespace {
 
 const char* const filter_name = "Generate Laplacian Lines Polylines";
 
-// Progress at the end of each step, the last of which removes hidden parts.
-constexpr double field_share = 0.5, sight_share = 0.7, extractor_share = 0.85, lines_share = 0.87;
+// Progress at the end of each step; of a drawing's strokes, and of all lines.
+constexpr double placed_share = 0.05, strokes_share = 0.95;
+constexpr double field_share = 0.7, sight_share = 0.8, extractor_share = 0.95;
 
 /// Copied from the layer, which may go while the progress bar runs the event loop.
 struct Source {
@@ -45,69 +50,92 @@ struct Source {
     Eigen::Matrix4d layer;
 };
 
-using Visibility = std::optional<laplacian_lines::LineVisibility>;
-
-/// None unless wanted.
-Visibility visibilityOf(const Source& source, const View& view, const PolylineParameters& chosen,
-                        vcg::CallBackPos* progress) {
-    Visibility visibility;
-    if (!chosen.visible_only && view.w == 0) return visibility;
-    visibility.emplace(source.triangles,
-                       meshlab_host::progressTo(progress, field_share, sight_share));
-    if (view.w != 0 && visibility->encloses(view.eye / view.w))
-        laplacian_lines::refuse(
-            "The viewpoint is inside the surface. Move it outside, or choose an "
-            "orthographic view.");
-    return visibility;
-}
-
 /// Triangles to far vertices are slivers without lines, but would hide all others by rounding.
-void refuseFarVertices(const Source& source, const laplacian_lines::Field& field) {
+void refuseFarVertices(const Source& source) {
     constexpr double most = 1e6;  // diagonals of what has lines
     const double all = line_drawing::boundsOf(source.triangles).diagonal().stableNorm();
-    if (!(all > most * field.scale.diagonal)) return;
+    const double drawn = laplacian_lines::measure_scale(source.triangles, {}).diagonal;
+    if (!(all > most * drawn)) return;
     throw Error(
         ErrorCode::InvalidMesh,
         QString("The mesh is %1 across, but what can be drawn of it is %2: vertices lie far "
                 "off. Delete them and their faces first.")
             .arg(all)
-            .arg(field.scale.diagonal)
+            .arg(drawn)
             .toStdString());
 }
 
-LineSet extract(const Source& source, const laplacian_lines::Field& field, const View& view,
-                const PolylineParameters& chosen, vcg::CallBackPos* progress) {
-    refuseFarVertices(source, field);
-    const Visibility visibility = visibilityOf(source, view, chosen, progress);
+/// Of the layer in its own coordinates.
+LineSet lineSetOf(const std::vector<laplacian_lines::SightLine>& lines, const Source& source) {
+    LineSet set;
+    set.origin = line_drawing::boundsOf(source.triangles).center();
+    const Eigen::Affine3d to_layer(source.layer.inverse());
+    for (const laplacian_lines::SightLine& line : lines) {
+        laplacian_lines::Polyline polyline;
+        polyline.first = std::uint32_t(set.points.size());
+        polyline.count = std::uint32_t(line.points.size());
+        polyline.kind = line.kind;
+        polyline.closed = line.closed;
+        polyline.strength = line.strength;
+        polyline.slope = line.slope;
+        set.lines.push_back(polyline);
+        for (const laplacian_lines::SightPoint& point : line.points)
+            set.points.push_back({(to_layer * point.position - set.origin).cast<float>(),
+                                  point.weight, point.gradient, point.opacity});
+    }
+    return set;
+}
+
+/// The strokes of a drawing, with the kernel that it would have.
+LineSet strokes(const Source& source, const line_drawing::ViewFrame& frame,
+                const PolylineParameters& chosen, const meshlab_host::FilterRun& run) {
+    refuseFarVertices(source);
+    line_drawing::SheetOptions options;
+    options.style = line_drawing::styleOnPaper(chosen.style);
+    if (chosen.light_azimuth) options.light = meshlab_host::towardsLight(*chosen.light_azimuth);
+    const PlacedLayers placed =
+        placeLayers({false, options.style.shows.needs_derivatives()}, run, placed_share);
+    return lineSetOf(line_drawing::strokesOf(
+                         objectsOf(placed), frame, options,
+                         meshlab_host::progressTo(run.progress, placed_share, strokes_share)),
+                     source);
+}
+
+/// Also those that the surface hides.
+LineSet allLines(const Source& source, const View& view, const PolylineParameters& chosen,
+                 const meshlab_host::FilterRun& run) {
+    const CMeshO& mesh = run.document.mm()->cm;
+    meshlab_host::FieldSource field_source = meshlab_host::fieldSource(mesh);
+    if (chosen.style.shows.needs_derivatives())
+        field_source = meshlab_host::withDerivatives(std::move(field_source));
+    const laplacian_lines::Field field =
+        meshlab_host::demandField(mesh, source.triangles, source.name, field_source, run.say,
+                                  meshlab_host::progressTo(run.progress, 0, field_share));
+    refuseFarVertices(source);
+    if (view.w != 0 &&
+        laplacian_lines::LineVisibility(
+            source.triangles, meshlab_host::progressTo(run.progress, field_share, sight_share))
+            .encloses(view.eye / view.w))
+        laplacian_lines::refuse(
+            "The viewpoint is inside the surface. Move it outside, or choose an "
+            "orthographic view.");
     const laplacian_lines::LineExtractor extractor(
-        source.triangles, field, meshlab_host::progressTo(progress, sight_share, extractor_share));
-    meshlab_host::beginStep(progress, extractor_share, "Extracting lines");
+        source.triangles, field,
+        meshlab_host::progressTo(run.progress, sight_share, extractor_share));
     laplacian_lines::ExtractionScratch scratch;
     LineSet lines;
-    if (chosen.visible_only)
-        lines = visibility
-                    ->parts(view, {extract_on_surface(extractor, view, chosen.style, scratch)},
-                            {chosen.style.shows, chosen.style.line_smoothing, false, false,
-                             chosen.style.shortest_contour},
-                            meshlab_host::progressTo(progress, lines_share))
-                    .seen;
-    else
-        extractor.extract(view, chosen.style, scratch, lines);
-    if (lines.lines.empty())
-        laplacian_lines::refuse(
-            "No lines are seen from there, so no layer was created. Take another view, "
-            "more \"Detail\", or other \"Settings\".");
+    extractor.extract(view, chosen.style, scratch, lines);
     return lines;
 }
 
-void addLayer(const LineSet& lines, const Source& source, const laplacian_lines::Field& field,
-              const meshlab_host::KindColors& colors, MeshDocument& document) {
+void addLayer(const LineSet& lines, const Source& source, const meshlab_host::KindColors& colors,
+              MeshDocument& document) {
     const QString name = QFileInfo(source.name).completeBaseName() + "_laplacian_lines";
     MeshModel* layer = document.addNewMesh("", name);
     layer->updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
     meshlab_host::toEdgeMesh(lines, layer->cm);
     meshlab_host::setColors(lines, colors, layer->cm);
-    meshlab_host::setNormals(source.triangles, field, layer->cm);
+    meshlab_host::setNormals(source.triangles, layer->cm);
     layer->cm.Tr = source.transform;
     meshlab_host::showAsLines(document, layer->id());
 }
@@ -146,15 +174,14 @@ void run(const meshlab_host::FilterRun& run) {
     if (!box.isEmpty()) box.transform(Eigen::Affine3d(source.layer));
     const auto frame = frameOf(chosen, box.center(), meshlab_host::currentView());
     const View view = viewOf(frame, chosen, source.layer);
-    meshlab_host::FieldSource field_source = meshlab_host::fieldSource(mesh.cm);
-    if (chosen.style.shows.needs_derivatives())
-        field_source = meshlab_host::withDerivatives(std::move(field_source));
-    const laplacian_lines::Field field =
-        meshlab_host::demandField(mesh.cm, source.triangles, source.name, field_source, run.say,
-                                  meshlab_host::progressTo(run.progress, 0, field_share));
-    const LineSet lines = extract(source, field, view, chosen, run.progress);
+    const LineSet lines = chosen.visible_only ? strokes(source, frame, chosen, run)
+                                              : allLines(source, view, chosen, run);
+    if (lines.lines.empty())
+        laplacian_lines::refuse(
+            "No lines are seen from there, so no layer was created. Take another view, "
+            "more \"Detail\", or other \"Settings\".");
     meshlab_host::beginStep(run.progress, 1, "Adding a layer");
-    addLayer(lines, source, field, chosen.colors, run.document);
+    addLayer(lines, source, chosen.colors, run.document);
     run.say(QString("Lines of %1: %2, %3 segments; %4")
                 .arg(source.name, kindsInWords(lines), QString::number(lines.segment_count()),
                      inWords(frame, chosen)));

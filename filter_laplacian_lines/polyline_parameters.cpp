@@ -59,10 +59,12 @@ const std::vector<std::variant<Row, PlaceRow>>& table() {
             "kinds, with the outlines."),
         rows::boolean<&Parameters::visible_only>(
             "visible_only", "Visible Lines Only",
-            "Leave out the parts of lines that this layer's own surface hides."),
+            "The strokes of a drawing. Off: all lines as they are found, also those that this "
+            "layer's own surface hides."),
         rows::real<&Parameters::style, &laplacian_lines::LineStyle::detail>(
             "detail", "Detail", 0, 100,
-            "0 to 100: more or fewer lines of all kinds; 50 is the usual."),
+            "0 to 100: more or fewer lines of all kinds, of finer or coarser forms; 50 is the "
+            "usual."),
     };
     return table;
 }

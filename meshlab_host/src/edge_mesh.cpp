@@ -2,6 +2,7 @@
 #include "meshlab_host/edge_mesh.h"
 
 #include <vcg/space/index/kdtree/kdtree.h>
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include <QColor>
@@ -10,7 +11,6 @@
 
 namespace meshlab_host {
 
-using laplacian_lines::Field;
 using laplacian_lines::LinePoint;
 using laplacian_lines::LineSet;
 using laplacian_lines::Polyline;
@@ -59,12 +59,26 @@ void addEdges(const LineSet& lines, CMeshO& mesh) {
     }
 }
 
+/// By vertex, twice the area of its triangles long; zero without any, or where they are not finite.
+std::vector<Eigen::Vector3d> normalsOf(const TriangleMesh& surface) {
+    std::vector<Eigen::Vector3d> normals(surface.positions.size(), Eigen::Vector3d::Zero());
+    for (const laplacian_lines::Triangle& t : surface.triangles) {
+        const Eigen::Vector3d& a = surface.positions[t[0]];
+        const Eigen::Vector3d n = (surface.positions[t[1]] - a).cross(surface.positions[t[2]] - a);
+        if (!n.allFinite()) continue;
+        for (const std::uint32_t v : t)
+            normals[v] += n;
+    }
+    return normals;
+}
+
 struct OrientedPoints {
-    OrientedPoints(const TriangleMesh& surface, const Field& field) {
-        for (std::size_t i = 0; i < surface.positions.size(); ++i) {
-            if (field.normals[i].isZero(0)) continue;
+    explicit OrientedPoints(const TriangleMesh& surface) {
+        const std::vector<Eigen::Vector3d> all = normalsOf(surface);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const Eigen::Vector3d n = all[i].stableNormalized();
+            if (n.isZero(0)) continue;
             const Eigen::Vector3d& p = surface.positions[i];
-            const Eigen::Vector3f& n = field.normals[i];
             positions.emplace_back(Scalarm(p.x()), Scalarm(p.y()), Scalarm(p.z()));
             normals.emplace_back(Scalarm(n.x()), Scalarm(n.y()), Scalarm(n.z()));
         }
@@ -106,8 +120,8 @@ void setColors(const LineSet& lines, const KindColors& colors, CMeshO& mesh) {
         });
 }
 
-void setNormals(const TriangleMesh& surface, const Field& field, CMeshO& mesh) {
-    const OrientedPoints points(surface, field);
+void setNormals(const TriangleMesh& surface, CMeshO& mesh) {
+    const OrientedPoints points(surface);
     if (points.positions.empty()) return;
     vcg::KdTree<Scalarm> tree(vcg::ConstDataWrapper<Point3m>(
         points.positions.data(), int(points.positions.size()), sizeof(Point3m)));

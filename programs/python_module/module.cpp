@@ -125,6 +125,23 @@ nb::dict visible_lines(Surface& surface, const Direction& eye, double w,
     }));
 }
 
+/// Of a picture with these axes; the light is in them.
+nb::dict strokes(Surface& surface, const std::array<Direction, 3>& axes,
+                 const std::optional<Direction>& eye, const std::optional<Direction>& light,
+                 const Values& values, double size) {
+    line_drawing::ViewFrame frame;
+    frame.side = line_drawing::Side::Other;
+    frame.right = Eigen::Vector3d(axes[0].data());
+    frame.up = Eigen::Vector3d(axes[1].data());
+    frame.towards_viewer = Eigen::Vector3d(axes[2].data());
+    if (eye) frame.eye = Eigen::Vector3d(eye->data());
+    line_drawing::SheetOptions options;
+    options.style = line_drawing::styleOnPaper(options_of(line_style_table(), values));
+    if (light) options.light = Eigen::Vector3d(light->data());
+    return arrays_of(unlocked(
+        [&](const Progress& progress) { return surface.strokes(frame, options, size, progress); }));
+}
+
 nb::dict field(const Surface& surface) {
     return arrays_of(unlocked([&](const Progress&) { return surface.field(); }));
 }
@@ -176,5 +193,6 @@ NB_MODULE(_core, m) {
         .def("field", field)
         .def("measures", measures)
         .def("lines", lines)
-        .def("visible_lines", visible_lines);
+        .def("visible_lines", visible_lines)
+        .def("strokes", strokes);
 }

@@ -12,6 +12,7 @@
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/precompute.h"
 #include "laplacian_lines/progress.h"
+#include "line_drawing/view_strokes.h"
 
 namespace python_module {
 
@@ -24,6 +25,7 @@ public:
     Surface(TriangleMesh mesh, const PrecomputeOptions& options, const Progress& progress)
         : mesh_(std::move(mesh)),
           field_(precompute(mesh_, options, progress)),
+          has_own_kernel_(options.kernel_size > 0),
           wants_derivatives_(options.curvature_derivatives) {}
 
     /// Optional columns only if the options asked for them.
@@ -75,6 +77,17 @@ public:
         return visibility_->look(view, {lines}, options, progress);
     }
 
+    /// See line_drawing::strokesOf(); with the field's kernel if the options have one.
+    std::vector<SightLine> strokes(const line_drawing::ViewFrame& frame,
+                                   const line_drawing::SheetOptions& options, double size,
+                                   const Progress& progress) {
+        const std::lock_guard using_parts(parts_);
+        if (has_own_kernel_ && options.style.shows.needs_derivatives())
+            extractor(options.style, progress);  // adds them to the field
+        const line_drawing::Objects objects = {{mesh_, has_own_kernel_ ? &field_ : nullptr}};
+        return line_drawing::strokesOf(objects, frame, options, progress, size);
+    }
+
 private:
     /// With derivatives if the style needs them.
     const LineExtractor& extractor(const LineStyle& style, const Progress& progress) {
@@ -90,6 +103,7 @@ private:
 
     const TriangleMesh mesh_;
     Field field_;
+    const bool has_own_kernel_;
     const bool wants_derivatives_;
     std::unique_ptr<LineExtractor> extractor_;
     std::unique_ptr<const LineVisibility> visibility_;

@@ -22,7 +22,6 @@ torus()
 OUTLINES = "[1-9][0-9]* (occluding contours|outlines)"
 visible = lines_of("lines.ply", f"[1-9][0-9]* Laplacian lines, {OUTLINES}, .*; orthographic, "
                    r"along the view direction 0 0 1 \(Front\)")
-expect_text("log", r"torus\.ply: computed with the default options")
 expect_no_text("log", WARNING)
 # MeshLab writes no edges into PLY files, but the vertices
 expect_text("lines.ply", "^element vertex [1-9]")
@@ -34,6 +33,7 @@ for file, line in (("lines.obj", "^l "), ("lines.dxf", "^ *LINE")):
     expect(len(re.findall(line, text_of(file), re.M)) == visible, f"{file} does not hold {visible} segments")
 
 expect(lines_of("all.ply", visible_only="false") > visible, "hidden lines are left out unasked")
+expect_text("log", r"torus\.ply: computed with the default options")
 # kinds by mixtures
 lines_of("mixture.ply", f"Lines of torus.ply: {OUTLINES}, [0-9]+ suggestive contours, [0-9]+ segments", settings=3)
 lines_of("mixture.ply", f"Lines of torus.ply: {OUTLINES}, [0-9]+ apparent ridges, [0-9]+ segments", settings=5)
@@ -59,6 +59,7 @@ for reason, settings in (
         ("The decoration Laplacian Lines has drawn nothing here", {"settings": 1}),
         (r'"Settings" is 10\. It has to be one of 0 ', {"settings": 10}),
         (r'"Detail" is 101\. It has to be between 0 and 100', {"detail": 101}),
-        ("The viewpoint is inside the surface", {"view": 1, "viewpoint": (1, 0, 0)}),
+        ("is inside the surface", {"view": 1, "viewpoint": (1, 0, 0)}),
+        ("is inside the surface", {"view": 1, "viewpoint": (1, 0, 0), "visible_only": "false"}),
         ('"View Direction" is 0 0 0, which is not a direction', {"view": 2, "view_direction": (0, 0, 0)})):
     refuse(reason, EXAMPLE, **settings)

@@ -38,6 +38,11 @@ double widthInAnyFont(const std::string& text, double height);
 /// The text, or its beginning and "…".
 std::string elided(const std::string& text, double height, double width);
 
+/// A view's strokes, in the sheet's coordinates: its lines without what a drawing leaves out,
+/// eased, joined.
+std::vector<DrawnLine> drawLines(const DrawnView& view, const Placement& placement,
+                                 const SheetOptions& options);
+
 /// `number` counts views from 1. Thin lines come first, outlines lie over them.
 SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& placement,
                     const SheetOptions& options);

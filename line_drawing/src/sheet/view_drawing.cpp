@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "line_drawing/words.h"
+#include "planes/corners.h"
 #include "planes/cutting.h"
 #include "sections/section_marks.h"
 #include "strokes/strokes.h"
@@ -71,30 +72,10 @@ SheetPath filled(const Wall& loops, double tone = 0) {
 
 using Loop = std::vector<Eigen::Vector2d>;
 
-/// Appends the corners from the first point to the last one, without that: what is between is
-/// within area_tolerance of straight lines.
+/// Appends the corners from the first point to the last one, without that.
 void appendCorners(const Loop& loop, std::size_t first, std::size_t last, Loop& corners) {
-    std::vector<std::pair<std::size_t, std::size_t>> parts = {{first, last}};
-    while (!parts.empty()) {
-        const auto [begin, end] = parts.back();
-        parts.pop_back();
-        const Eigen::Vector2d way = (loop[end] - loop[begin]).stableNormalized();
-        std::size_t farthest = begin;
-        double most = area_tolerance;
-        for (std::size_t i = begin + 1; i < end; ++i) {
-            const Eigen::Vector2d p = loop[i] - loop[begin];
-            const double along = std::clamp(way.dot(p), 0., way.dot(loop[end] - loop[begin]));
-            if ((p - along * way).norm() <= most) continue;
-            most = (p - along * way).norm();
-            farthest = i;
-        }
-        if (farthest == begin) {
-            corners.push_back(loop[begin]);
-            continue;
-        }
-        parts.emplace_back(farthest, end);
-        parts.emplace_back(begin, farthest);
-    }
+    for (const std::size_t i : cornersOf(loop, first, last, area_tolerance))
+        corners.push_back(loop[i]);
 }
 
 /// Closed loops keep their corners alone, wherever they begin.
@@ -134,11 +115,8 @@ SheetLayer areas(const DrawnView& view, const Placement& placement) {
 
 }  // namespace
 
-SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& placement,
-                    const SheetOptions& options) {
-    const bool has_name = view.frame.side != Side::Other;
-    const std::string key = has_name ? lower(view.frame.name) : "view-" + std::to_string(number);
-    SheetGroup group{key, view.frame.name, {}};
+std::vector<DrawnLine> drawLines(const DrawnView& view, const Placement& placement,
+                                 const SheetOptions& options) {
     const double pen = options.pens[std::size_t(LineClass::Outline)],
                  inner_pen = options.pens[std::size_t(LineClass::Inner)];
     std::vector<DrawnLine> lines = place(view.lines, placement);
@@ -156,6 +134,15 @@ SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& 
     const std::vector<MetEnd> met = joinEnds(lines, inner_pen);
     easeInnerLines(lines, eased_share_of_inner * inner_pen);
     followMet(met, inner_pen, lines);
+    return lines;
+}
+
+SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& placement,
+                    const SheetOptions& options) {
+    const bool has_name = view.frame.side != Side::Other;
+    const std::string key = has_name ? lower(view.frame.name) : "view-" + std::to_string(number);
+    SheetGroup group{key, view.frame.name, {}};
+    std::vector<DrawnLine> lines = drawLines(view, placement, options);
     const std::vector<MergedWalls> walls = place(view.walls, placement);
     if (options.wall == WallStyle::Hatched) addHatching(walls, lines);
     if (options.area != OutlineArea::None) group.layers.push_back(areas(view, placement));

@@ -110,7 +110,8 @@ private:
     void extend(std::size_t i, const Vector2d& end, const Vector2d& to) {
         std::vector<DrawnPoint>& points = lines_[i].points;
         const bool is_first = points.front().position == end;
-        DrawnPoint point{to, (is_first ? points.front() : points.back()).weight};
+        DrawnPoint point = is_first ? points.front() : points.back();
+        point = {to, point.weight, laplacian_lines::kNoSightNode, true, false, point.origin};
         points.insert(is_first ? points.begin() : points.end(), point);
         all_.add({end, to}, i);
     }
@@ -197,7 +198,7 @@ std::vector<MetEnd> joinEnds(std::vector<DrawnLine>& lines, double pen) {
                 if (end.weight < least_weight || outwards.dot(way) < lead_cosine * way.norm())
                     continue;
                 points.insert(is_last ? points.end() : points.begin(),
-                              {place->position, end.weight, end.node, false});
+                              {place->position, end.weight, end.node, false, false, end.origin});
             }
             met.push_back({i, is_last, place->line});
         }

@@ -56,6 +56,11 @@ Vector2d Projection::operator()(const Vector3d& p) const {
     return frame_.eye ? Vector2d(distance_ / depth(p) * flat - middle_) : flat;
 }
 
+Vector3d Projection::place(const Vector2d& picture, double depth) const {
+    const Vector2d flat = frame_.eye ? depth / distance_ * (picture + middle_) : picture;
+    return origin_ + flat.x() * frame_.right + flat.y() * frame_.up - depth * frame_.towards_viewer;
+}
+
 Eigen::AlignedBox2d Projection::boundsOf(const TriangleMesh& mesh) const {
     const Vector2d reach = Vector2d::Constant(tangent_of_sight * distance_);
     Eigen::AlignedBox2d box;
@@ -170,8 +175,13 @@ std::vector<DrawnLine> project(const std::vector<SightLine>& lines, const Projec
         drawn.push_back({classOf(line), line.closed, {}, unit * double(line.jump)});
         drawn.back().points.reserve(line.points.size());
         for (const SightPoint& point : line.points)
-            drawn.back().points.push_back(
-                {unit * projection(point.position), widthOf(point), point.node, point.is_exact});
+            drawn.back().points.push_back({unit * projection(point.position),
+                                           widthOf(point),
+                                           point.node,
+                                           point.is_exact,
+                                           false,
+                                           {projection.depth(point.position), line.kind,
+                                            point.gradient, line.strength, line.slope}});
     }
     return drawn;
 }

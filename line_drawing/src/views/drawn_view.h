@@ -21,6 +21,10 @@ public:
     Projection(const ViewFrame& frame, const Eigen::Vector3d& middle);
 
     Eigen::Vector2d operator()(const Eigen::Vector3d& p) const;
+    /// Away from the viewer, from the eye or from `middle`.
+    double depth(const Eigen::Vector3d& p) const;
+    /// What is there in the picture at that depth.
+    Eigen::Vector3d place(const Eigen::Vector2d& picture, double depth) const;
 
     /// Of the triangles in the picture; in perspective at least of what is in sight, empty if all
     /// is behind the eye.
@@ -33,12 +37,17 @@ public:
     laplacian_lines::View view() const;
 
 private:
-    double depth(const Eigen::Vector3d& p) const;
-
     const ViewFrame& frame_;
     Eigen::Vector3d origin_;           // the eye, or what is at (0, 0)
     double distance_ = 0;              // of `middle` from the eye
     Eigen::Vector2d middle_ = {0, 0};  // in the picture, from the point before the eye
+};
+
+/// What is known of a point of a line on the surface.
+struct LineOrigin {
+    double depth = 0;  ///< see Projection, mesh units
+    laplacian_lines::LineKind kind = laplacian_lines::LineKind::Contour;
+    float gradient = 0, strength = 0, slope = 0;  ///< as of LinePoint and Polyline
 };
 
 struct DrawnPoint {
@@ -48,6 +57,7 @@ struct DrawnPoint {
     std::uint32_t node = laplacian_lines::kNoSightNode;
     bool is_exact = true;   ///< on an edge of the form or where lines meet, not of a curved surface
     bool is_eased = false;  ///< has been smoothed
+    LineOrigin origin = {};
 
     /// Whether smoothing leaves it where it is.
     bool stays() const { return is_exact || is_eased; }

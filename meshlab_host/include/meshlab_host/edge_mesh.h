@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "laplacian_lines/field.h"
 #include "laplacian_lines/line_set.h"
+#include "laplacian_lines/triangle_mesh.h"
 #include "meshlab_host/drawn_style.h"
 #include "meshlab_host/meshlab_api.h"
 
@@ -20,9 +20,8 @@ void toEdgeMesh(const laplacian_lines::LineSet& lines, CMeshO& mesh);
 /// By the kinds of the lines.
 void setColors(const laplacian_lines::LineSet& lines, const KindColors& colors, CMeshO& mesh);
 
-/// The field's normals at the nearest vertices of the surface. MeshLab lights points by them;
-/// without normals their color depends on the OpenGL driver.
-void setNormals(const laplacian_lines::TriangleMesh& surface, const laplacian_lines::Field& field,
-                CMeshO& mesh);
+/// The surface's normals at its nearest vertices. MeshLab lights points by them; without normals
+/// their color depends on the OpenGL driver.
+void setNormals(const laplacian_lines::TriangleMesh& surface, CMeshO& mesh);
 
 }  // namespace meshlab_host

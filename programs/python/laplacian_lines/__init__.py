@@ -11,6 +11,7 @@ or PyMeshLab; or the name of a PLY, STL, OBJ or OFF file. Lengths are in the mes
     field(mesh)                        normals, their Laplacian, curvature and kernel at each vertex
     lines(mesh, direction=...)         all lines of a view, in space and on the page
     visible_lines(mesh, direction=...) the parts of them that are seen
+    strokes(mesh, direction=...)       the strokes of a drawing of the view, in space
     write_drawing(file, mesh, ...)     a measured drawing: views at scale on paper, as SVG, PDF, DXF or PNG
     make_drawing(mesh, ...)            the same, not written
     Surface(mesh)                      a mesh made ready once, for many views: surface.visible_lines(eye=...)
@@ -28,8 +29,8 @@ from .meshes import as_arrays, read_mesh
 from .meshlab import load
 from .polylines import KINDS, Kind, Page, Polyline, Polylines
 from .sheets import Drawing, make_drawing, write_drawing
-from .surface import ATTRIBUTES, Attribute, Surface, field, lines, visible_lines
+from .surface import ATTRIBUTES, Attribute, Surface, field, lines, strokes, visible_lines
 
 __all__ = ["ATTRIBUTES", "Attribute", "Drawing", "Error", "KINDS", "Kind", "Page", "Polyline", "Polylines", "Surface",
-           "__version__", "as_arrays", "field", "lines", "load", "make_drawing", "read_mesh", "visible_lines",
+           "__version__", "as_arrays", "field", "lines", "load", "make_drawing", "read_mesh", "strokes", "visible_lines",
            "write_drawing"]

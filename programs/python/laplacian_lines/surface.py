@@ -81,6 +81,20 @@ class Surface:
         arrays = self._core.visible_lines(*view, _style(kinds, line_options), hidden, joined_in_picture)
         return Polylines.of_core(arrays, plane)
 
+    @options.takes(options.LINES, told="lines()")
+    def strokes(self, *, direction: Point | None = None, eye: Point | None = None, up: Point = (0, 1, 0),
+                light: Point | None = None, kinds: Kinds = None, size: float = 200,
+                **line_options: Unpack[LineOptions]) -> Polylines:
+        """The strokes of a drawing; see the function strokes()."""
+        if not 1 <= size <= 10000:
+            raise ValueError(f"size is {size!r}, but must be the length of the view's longer side, 1 to 10000 mm.")
+        plane, (_, _, light) = self._view(direction, eye, up, light)
+        axes = numpy.stack([plane.right, plane.up, plane.towards_viewer])
+        light = None if light is None else (axes @ light).tolist()
+        eye = None if plane.eye is None else plane.eye.tolist()
+        arrays = self._core.strokes(axes.tolist(), eye, light, _style(kinds, line_options), float(size))
+        return Polylines.of_core(arrays, plane)
+
     def _view(self, direction, eye, up, light):
         """The plane of the picture; the eye and the light as the core has them."""
         if direction is None and eye is None:
@@ -171,3 +185,17 @@ def visible_lines(mesh: Any, *, direction: Point | None = None, eye: Point | Non
     surface, of_lines = _surface(mesh, line_options)
     return surface.visible_lines(direction=direction, eye=eye, up=up, light=light, kinds=kinds, hidden=hidden,
                                  joined_in_picture=joined_in_picture, **of_lines)
+
+
+@options.takes(options.LINES, options.FIELD, told="Surface.lines(), and of Surface() for the field")
+def strokes(mesh: Any, *, direction: Point | None = None, eye: Point | None = None, up: Point = (0, 1, 0),
+            light: Point | None = None, kinds: Kinds = None, size: float = 200, **line_options: Unpack[Options]) -> Polylines:
+    """The strokes that a drawing of the view has, in space: seen, joined, thinned out, smooth.
+
+    What lines() takes. `size` is the length of the longer side of the drawing, mm on paper, which decides about kernel and
+    pens; a `kernel_size` of the field counts more. Each point is as deep as the line that it comes from; a stroke ends where
+    its line goes on behind another. Returns Polylines, whose `page` is the drawing and whose `kinds` are those of most of a
+    stroke.
+    """
+    surface, of_lines = _surface(mesh, line_options)
+    return surface.strokes(direction=direction, eye=eye, up=up, light=light, kinds=kinds, size=size, **of_lines)

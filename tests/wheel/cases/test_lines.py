@@ -45,6 +45,22 @@ class Lines(unittest.TestCase):
         self.assertTrue(all_lines.hidden.any())
         self.assertEqual((~all_lines.hidden).sum(), len(seen))
 
+    def test_strokes_are_those_of_a_drawing(self):
+        surface = ll.Surface(bumpy())
+        side = dict(direction=(0.3, 1, 0.6))
+        strokes, parts = surface.strokes(**side), surface.visible_lines(**side)
+        self.assertLess(len(strokes), len(parts) / 2)
+        self.assertTrue(strokes.outline.any())
+        u = numpy.arctan2(strokes.points[:, 1], strokes.points[:, 0])
+        tube = numpy.hypot(numpy.hypot(strokes.points[:, 0], strokes.points[:, 1]) - 1, strokes.points[:, 2])
+        self.assertTrue(((tube > 0.3) & (tube < 0.5)).all(), "a stroke leaves the surface")
+        self.assertGreater(numpy.ptp(u), 3)
+        self.assertFalse(same(surface.strokes(size=30, **side), strokes), "the size on paper does not count")
+        small, large = (len(surface.strokes(detail=d, **side).points) for d in (0, 100))
+        self.assertLess(small, large)
+        seen = surface.strokes(eye=(0, 0, 10))
+        numpy.testing.assert_allclose(seen.page, seen.points[:, :2] / (10 - seen.points[:, 2:]), atol=1e-12)
+
     def test_options_and_kinds(self):
         mesh = bumpy()
         surface = ll.Surface(mesh)

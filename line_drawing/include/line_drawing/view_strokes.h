@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "laplacian_lines/line_visibility.h"
+#include "laplacian_lines/progress.h"
+#include "line_drawing/object.h"
+#include "line_drawing/sheet_options.h"
+#include "line_drawing/view_frame.h"
+
+namespace line_drawing {
+
+/// Length of the longer side of a view on paper, mm, where none is asked for: most of A4.
+constexpr double usual_view_size = 200;
+
+/// The strokes of a view as makeSheet() draws it with this size on paper, mm of its longer side,
+/// back in space: joined, thinned out, smooth. Each point is as deep as the line that it comes
+/// from, so strokes end where one line goes on behind another. Weights are shares of the width of
+/// outlines, contours or inner lines, as the stroke is one; opacities are 1; points have no nodes.
+/// Kinds, strengths and slopes are those of most of the stroke. Of the options, views, sections,
+/// scale, paper and furniture do not matter.
+/// @throws laplacian_lines::Error: Cancelled; InvalidOption if the eye is inside the surface or
+/// sees nothing; InvalidMesh, EmptyMesh, FieldMismatch
+std::vector<laplacian_lines::SightLine> strokesOf(const Objects& objects, const ViewFrame& frame,
+                                                  SheetOptions options,
+                                                  const laplacian_lines::Progress& progress = {},
+                                                  double size = usual_view_size);
+
+}  // namespace line_drawing

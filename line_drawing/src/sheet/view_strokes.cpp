@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line_drawing/view_strokes.h"
+
+#include <algorithm>
+#include <array>
+
+#include "options/progress_part.h"
+#include "planes/corners.h"
+#include "sheet/sheet_layout.h"
+#include "sight/object_lines.h"
+#include "sight/observer.h"
+
+namespace line_drawing {
+namespace {
+
+using Eigen::Vector3d;
+using laplacian_lines::SightLine;
+using laplacian_lines::SightPoint;
+
+// Progress at which lines are found, and what hides them is prepared.
+constexpr double lines_share = 0.5, sight_share = 0.7;
+
+constexpr double tolerance = 0.01;  // mm on paper, of corners
+// What is so much deeper, in D, over steps so steep, is another line behind the first.
+constexpr double least_jump = 0.02, steepest = 10;
+// In inner pens: shorter remains of a stroke beyond such a place are left out.
+constexpr double shortest_remains = 6;
+
+/// Moves the strokes of a view from paper to space.
+class InSpace {
+public:
+    InSpace(const Projection& projection, const Placement& placement, double diagonal, double pen)
+        : projection_(projection),
+          placement_(placement),
+          least_jump_(least_jump * diagonal * placement.scale),
+          shortest_remains_(shortest_remains * pen) {}
+
+    void append(const DrawnLine& stroke, std::vector<SightLine>& lines) const {
+        std::vector<Vector3d> places;  // x and y on paper, and as deep
+        for (const DrawnPoint& point : stroke.points)
+            places.emplace_back(point.position.x(), point.position.y(),
+                                placement_.scale * point.origin.depth);
+        std::size_t begin = 0;
+        for (std::size_t i = 0; i + 1 < places.size();) {
+            const std::size_t end = endOfSteep(places, i);
+            if (std::abs(places[end].z() - places[i].z()) > least_jump_) {
+                appendPart(stroke, places, begin, i, lines);
+                begin = end;
+            }
+            i = std::max(end, i + 1);
+        }
+        appendPart(stroke, places, begin, places.size() - 1, lines);
+    }
+
+private:
+    /// Of steps that go steeply one way from this point on.
+    static std::size_t endOfSteep(const std::vector<Vector3d>& places, std::size_t i) {
+        const bool goes_back = places[i + 1].z() > places[i].z();
+        const auto isSteep = [&](const Vector3d& step) {
+            return (goes_back ? step.z() : -step.z()) > steepest * step.head<2>().norm();
+        };
+        while (i + 1 < places.size() && isSteep(places[i + 1] - places[i]))
+            ++i;
+        return i;
+    }
+
+    void appendPart(const DrawnLine& stroke, const std::vector<Vector3d>& places, std::size_t first,
+                    std::size_t last, std::vector<SightLine>& lines) const {
+        if (last <= first) return;
+        const bool is_whole = first == 0 && last + 1 == places.size();
+        double length = 0;
+        for (std::size_t i = first; i < last && !is_whole; ++i)
+            length += (places[i + 1] - places[i]).head<2>().norm();
+        if (!is_whole && length < shortest_remains_) return;
+        SightLine line;
+        const LineOrigin& most = mostOf(stroke, first, last);
+        line.kind = most.kind;
+        line.strength = most.strength;
+        line.slope = most.slope;
+        line.closed = stroke.closed && is_whole;
+        line.is_hidden = stroke.line_class == LineClass::Hidden;
+        line.is_outline = stroke.line_class == LineClass::Outline;
+        line.jump = 0;
+        std::vector<std::size_t> corners = cornersOf(places, first, last, tolerance);
+        corners.push_back(last);
+        for (const std::size_t i : corners)
+            line.points.push_back(pointOf(stroke.points[i]));
+        if (line.closed) line.points.back().position = line.points.front().position;
+        lines.push_back(std::move(line));
+    }
+
+    SightPoint pointOf(const DrawnPoint& point) const {
+        const Eigen::Vector2d shift = (point.position - placement_.middle) / placement_.scale;
+        const Vector3d place = projection_.place({shift.x(), -shift.y()}, point.origin.depth);
+        return {place, float(point.weight),           point.origin.gradient,
+                1,     laplacian_lines::kNoSightNode, point.is_exact};
+    }
+
+    /// That of a point whose kind most points have.
+    static const LineOrigin& mostOf(const DrawnLine& stroke, std::size_t first, std::size_t last) {
+        std::array<std::size_t, laplacian_lines::line_kind_count> counts{};
+        std::size_t most = first;
+        const auto countOf = [&](std::size_t i) -> std::size_t& {
+            return counts.at(std::size_t(stroke.points[i].origin.kind));
+        };
+        for (std::size_t i = first; i <= last; ++i)
+            if (++countOf(i) > countOf(most)) most = i;
+        return stroke.points[most].origin;
+    }
+
+    const Projection& projection_;
+    const Placement& placement_;
+    const double least_jump_, shortest_remains_;  // mm on paper
+};
+
+}  // namespace
+
+std::vector<SightLine> strokesOf(const Objects& objects, const ViewFrame& frame,
+                                 SheetOptions options, const laplacian_lines::Progress& progress,
+                                 double size) {
+    options.mm_per_unit = 1;
+    Observer observer(objects);
+    DrawnView drawn = observer.stand(frame, options);
+    const Placement placement{size / drawn.bounds.sizes().maxCoeff(), {0, 0}};
+    options.pens = pensFor(size, options.pens);
+    {
+        ObjectLines lines(objects);
+        lines.makeReady(options, placement.scale, part(progress, 0, lines_share));
+        options.kernel = {lines.kernelSize() * placement.scale, false};
+        const auto found = lines.extract(observer.viewOf(drawn, options), options.style);
+        observer.prepare({options}, part(progress, lines_share, sight_share));
+        observer.look(drawn, found, options, part(progress, sight_share, 1));
+    }
+    const Projection projection(drawn.frame, observer.middle());
+    const InSpace in_space(projection, placement, observer.objectSize().norm(),
+                           options.pens[std::size_t(LineClass::Inner)]);
+    std::vector<SightLine> lines;
+    for (const DrawnLine& stroke : drawLines(drawn, placement, options))
+        if (drawStroke(stroke, options)) in_space.append(stroke, lines);
+    return lines;
+}
+
+}  // namespace line_drawing
