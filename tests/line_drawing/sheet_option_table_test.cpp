@@ -141,6 +141,8 @@ std::string inScript(const SheetOption& option) {
     const double value = row.get({});
     if (row.kind == laplacian_lines::OptionKind::Boolean)
         return begin + "RichBool\" value=\"" + (value != 0 ? "true" : "false") + "\"/>";
+    if (row.kind == laplacian_lines::OptionKind::Real)
+        return begin + "RichFloat\" value=\"" + inDigits(value) + "\"/>";
     std::string choices = std::to_string(row.choices.size()) + '"';
     for (std::size_t i = 0; i < row.choices.size(); ++i)
         choices += " enum_val" + std::to_string(i) + "=\"" + row.choices[i] + '"';
