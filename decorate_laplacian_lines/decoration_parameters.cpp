@@ -22,33 +22,30 @@ std::vector<const char*> mixtureNames() {
     return names;
 }
 
-void add(const DecorationRow& row, RichParameterList& list) {
-    meshlab_host::addNumber(meshlab_host::describe(row, decoration_prefix),
-                            row.get(DecorationParameters()), 0, list);
-}
+using Row = laplacian_lines::OptionRow<Parameters>;
 
-void add(const ColorRow& row, RichParameterList& list) {
-    list.addParam(RichColor(decoration_prefix + row.key, DecorationParameters().*row.color,
-                            row.label, meshlab_host::toolTip(row.help)));
-}
-
-void read(const DecorationRow& row, const RichParameterList& list,
-          const DecorationParameters& last_time, ValidParameters& result) {
-    const auto parameter = meshlab_host::describe(row, decoration_prefix);
+void read(const Row& row, const RichParameterList& list, const DecorationParameters& last_time,
+          ValidParameters& result) {
     try {
-        row.set(result.as_set, meshlab_host::readNumber(parameter, row.get(result.as_set), list));
+        meshlab_host::readParameter(row, result.as_set, list, decoration_prefix);
     } catch (const laplacian_lines::Error& error) {
         const double value = row.get(last_time);
         row.set(result.as_set, value);
-        result.refused +=
-            QString("%1 Until then it stays %2.").arg(error.what(), textOf(value, parameter));
+        result.refused += QString("%1 Until then it stays %2.")
+                              .arg(error.what(), meshlab_host::textOf(value, row));
     }
 }
 
-void read(const ColorRow& row, const RichParameterList& list, const DecorationParameters&,
-          ValidParameters& result) {
-    QColor& color = result.as_set.*row.color;
-    color = meshlab_host::readColor(decoration_prefix + row.key, color, list);
+Row lineColor() {
+    return {{"line_color",
+             "Line Color",
+             "Of all lines but those that Lines tells apart by their colors.",
+             laplacian_lines::OptionKind::Color,
+             0,
+             0xffffff,
+             {}},
+            [](const Parameters& p) { return double(p.line_color.rgb() & 0xffffff); },
+            [](Parameters& p, double value) { p.line_color = QColor(QRgb(value)); }};
 }
 
 /// Null if the ticks count.
@@ -95,8 +92,8 @@ DecorationParameters inEffect(DecorationParameters parameters) {
 
 }  // namespace
 
-const std::vector<std::variant<DecorationRow, ColorRow>>& decorationTable() {
-    static const std::vector<std::variant<DecorationRow, ColorRow>> table = {
+const std::vector<Row>& decorationTable() {
+    static const std::vector<Row> table = {
         choice<&Parameters::drawing_style>(
             "drawing_style", "Drawing Style",
             {"Custom", "Publication (Black on White)", "Archaeology (Side Light)"},
@@ -116,9 +113,7 @@ const std::vector<std::variant<DecorationRow, ColorRow>>& decorationTable() {
                                       "fades out."),
         real<&Parameters::outline_width>("contour_width_factor", "Outline Width", 0.1, 16,
                                          "Of outlines and borders, in widths of the lines inside."),
-        ColorRow{"line_color", "Line Color",
-                 "Of all lines but those that Lines tells apart by their colors.",
-                 &Parameters::line_color},
+        lineColor(),
         choice<&Parameters::appearance, &line_renderer::LineAppearance::hidden>(
             "hidden_lines", "Hidden Lines", {"Not Drawn", "Faint", "Dashed"},
             "Those behind the surface."),
@@ -163,8 +158,9 @@ const std::vector<std::variant<DecorationRow, ColorRow>>& decorationTable() {
 }
 
 void listDecorationParameters(RichParameterList& list) {
-    for (const auto& any : decorationTable())
-        std::visit([&](const auto& row) { add(row, list); }, any);
+    for (const Row& row : decorationTable())
+        meshlab_host::addParameter(row, row.value(DecorationParameters()), list, 0,
+                                   decoration_prefix);
 }
 
 std::optional<double> lightAzimuth(const DecorationParameters& parameters) {
@@ -175,8 +171,8 @@ std::optional<double> lightAzimuth(const DecorationParameters& parameters) {
 ValidParameters readValidParameters(const RichParameterList& list,
                                     const DecorationParameters& last_time) {
     ValidParameters result;
-    for (const auto& any : decorationTable())
-        std::visit([&](const auto& row) { read(row, list, last_time, result); }, any);
+    for (const Row& row : decorationTable())
+        read(row, list, last_time, result);
     result.chosen = inEffect(result.as_set);
     return result;
 }

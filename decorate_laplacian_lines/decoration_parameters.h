@@ -4,7 +4,6 @@
 #include <QColor>
 #include <QStringList>
 #include <optional>
-#include <variant>
 #include <vector>
 
 #include "laplacian_lines/line_mixture.h"
@@ -47,15 +46,8 @@ struct DecorationParameters {
     bool show_statistics = false;
 };
 
-using DecorationRow = laplacian_lines::OptionDescription<DecorationParameters>;
-struct ColorRow {
-    const char* key;
-    const char* label;
-    const char* help;
-    QColor DecorationParameters::*color;
-};
 /// In MeshLab's order.
-const std::vector<std::variant<DecorationRow, ColorRow>>& decorationTable();
+const std::vector<laplacian_lines::OptionRow<DecorationParameters>>& decorationTable();
 
 void listDecorationParameters(RichParameterList& list);
 

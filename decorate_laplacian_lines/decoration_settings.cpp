@@ -9,34 +9,12 @@
 
 namespace {
 
-const QString a_color = "a color, such as #202020 or gray";
-
-QString allowedBy(const DecorationRow& row) {
-    return QString::fromStdString(allowed_values(row));
-}
-QString allowedBy(const ColorRow&) {
-    return a_color;
-}
-
-/// As the dialog has it.
-QString valueIn(const QString& text, const DecorationRow& row) {
-    const meshlab_host::ParameterDescription description = meshlab_host::describe(row);
-    return meshlab_host::textOf(meshlab_host::valueIn(text, description), description);
-}
-QString valueIn(const QString& text, const ColorRow& row) {
-    const QColor color(text);
-    if (!color.isValid()) meshlab_host::refuseValue(text, row.label, a_color);
-    return color.name();
-}
-
 [[noreturn]] void refuse(const QString& sentence) {
     QStringList lines = {sentence + " A setting is NAME=VALUE, of these:"};
-    for (const auto& any : decorationTable())
-        std::visit(
-            [&](const auto& row) {
-                lines << QString("  %1 (%2): %3").arg(row.label, row.key, allowedBy(row));
-            },
-            any);
+    for (const auto& row : decorationTable())
+        lines << QString("  %1 (%2): %3")
+                     .arg(row.label, row.key,
+                          QString::fromStdString(laplacian_lines::allowed_values(row)));
     laplacian_lines::refuse(lines.join('\n').toStdString());
 }
 
@@ -48,17 +26,12 @@ QString settingCommand(const QString& text) {
     if (!text.contains('=')) refuse(QString("\"%1\" has no value.").arg(text));
     const QString name = text.section('=', 0, 0).trimmed();
     const QString value = text.section('=', 1).trimmed();
-    QString found;
-    for (const auto& any : decorationTable())
-        std::visit(
-            [&](const auto& row) {
-                if (!name.compare(row.label, Qt::CaseInsensitive) ||
-                    !name.compare(row.key, Qt::CaseInsensitive))
-                    found = command(row.label, valueIn(value, row));
-            },
-            any);
-    if (found.isEmpty()) refuse(QString("The decoration has no parameter \"%1\".").arg(name));
-    return found;
+    for (const auto& row : decorationTable())
+        if (!name.compare(row.label, Qt::CaseInsensitive) ||
+            !name.compare(row.key, Qt::CaseInsensitive))
+            return command(row.label,
+                           meshlab_host::textOf(meshlab_host::numberIn(value, row), row));
+    refuse(QString("The decoration has no parameter \"%1\".").arg(name));
 }
 
 }  // namespace

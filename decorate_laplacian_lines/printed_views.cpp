@@ -23,9 +23,8 @@ bool areEqual(const Eigen::Matrix4d& projection, const Eigen::Matrix4d& other) {
 /// But for colors, which a picture gets when it is shown.
 bool areEqual(const DecorationParameters& chosen, const DecorationParameters& other) {
     const auto& table = decorationTable();
-    return std::all_of(table.begin(), table.end(), [&](const auto& any) {
-        const auto* row = std::get_if<DecorationRow>(&any);
-        return !row || row->get(chosen) == row->get(other);
+    return std::all_of(table.begin(), table.end(), [&](const auto& row) {
+        return row.kind == laplacian_lines::OptionKind::Color || row.get(chosen) == row.get(other);
     });
 }
 

@@ -23,8 +23,8 @@ using laplacian_lines::PrecomputeOptions;
 namespace {
 
 /// Of the core's table. The others keep their defaults here.
-std::vector<laplacian_lines::OptionDescription<PrecomputeOptions>> makeTable() {
-    std::vector<laplacian_lines::OptionDescription<PrecomputeOptions>> rows;
+std::vector<laplacian_lines::OptionRow<PrecomputeOptions>> makeTable() {
+    std::vector<laplacian_lines::OptionRow<PrecomputeOptions>> rows;
     for (const std::string key :
          {"kernel_size", "kernel_mode", "normal_smoothing", "normal_sigma", "bilateral_angle",
           "weld_duplicates", "laplace_operator", "gradient_estimator", "curvature_derivatives"})
@@ -135,7 +135,7 @@ QStringList computeReport(const Field& field, const PrecomputeOptions& options, 
 void listParameters(const MeshModel* mesh, RichParameterList& list) {
     const double diagonal = mesh ? double(mesh->cm.bbox.Diag()) : 0;
     for (const auto& row : optionTable())
-        meshlab_host::addParameter(row, PrecomputeOptions(), list, diagonal);
+        meshlab_host::addParameter(row, row.value(PrecomputeOptions()), list, diagonal);
 }
 
 void run(const meshlab_host::FilterRun& run) {

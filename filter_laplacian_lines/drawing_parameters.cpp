@@ -4,7 +4,6 @@
 #include <QDir>
 #include <QFileInfo>
 
-#include "line_drawing/sheet_file.h"
 #include "line_drawing/words.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/drawn_style.h"
@@ -15,7 +14,6 @@ using line_drawing::SheetOption;
 using line_drawing::SheetOptions;
 using line_drawing::ViewFrame;
 using meshlab_host::CurrentView;
-using meshlab_host::TextDescription;
 
 namespace {
 
@@ -27,12 +25,6 @@ const std::vector<SheetOption>& filterOptions() {
         return of_filter;
     }();
     return options;
-}
-
-TextDescription describeText(const SheetOption& option) {
-    const bool is_file = option.text == &DrawingParameters::file;
-    return {option.row.key, option.row.label, option.row.help,
-            is_file ? inQt("Drawings (*" + line_drawing::endingsInWords(" *", " *") + ')') : ""};
 }
 
 /// In world coordinates.
@@ -79,20 +71,13 @@ DrawingParameters drawingDefaults(const MeshModel* mesh, bool has_window) {
 
 void listDrawingParameters(const DrawingParameters& defaults, RichParameterList& list) {
     for (const SheetOption& option : filterOptions())
-        if (option.text)
-            meshlab_host::addText(describeText(option), inQt(defaults.*option.text), list);
-        else
-            meshlab_host::addParameter(option.row, defaults, list);
+        meshlab_host::addParameter(option.row, option.row.value(defaults), list);
 }
 
 DrawingParameters readDrawingParameters(const RichParameterList& list) {
     DrawingParameters result;
     for (const SheetOption& option : filterOptions())
-        if (std::string DrawingParameters::*text = option.text)
-            result.*text = meshlab_host::readText(describeText(option), inQt(result.*text), list)
-                               .toStdString();
-        else
-            meshlab_host::readParameter(option.row, result, list);
+        meshlab_host::readParameter(option.row, result, list);
     return result;
 }
 

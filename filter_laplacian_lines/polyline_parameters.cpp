@@ -2,7 +2,6 @@
 #include "polyline_parameters.h"
 
 #include <QColor>
-#include <variant>
 
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_kind.h"
@@ -13,17 +12,10 @@
 namespace {
 
 using Parameters = PolylineParameters;
-using meshlab_host::PlaceDescription;
-using meshlab_host::PlaceKind;
-using Row = laplacian_lines::OptionDescription<Parameters>;
+using laplacian_lines::OptionKind;
 namespace rows = laplacian_lines::option_rows;
 
 constexpr double largest_box = 1e15;  // as the core has it
-
-struct PlaceRow {
-    PlaceDescription description;
-    Eigen::Vector3d Parameters::*value;
-};
 
 std::vector<const char*> viewNames() {
     std::vector<const char*> names = {"Current View of the Window",
@@ -35,23 +27,20 @@ std::vector<const char*> viewNames() {
 }
 
 /// In the order of the dialog.
-const std::vector<std::variant<Row, PlaceRow>>& table() {
-    static const std::vector<std::variant<Row, PlaceRow>> table = {
+const std::vector<laplacian_lines::OptionRow<Parameters>>& table() {
+    static const std::vector<laplacian_lines::OptionRow<Parameters>> table = {
         rows::choice<&Parameters::view>(
             "view", "View", viewNames(),
             "From where the lines are seen: as in the window, which scripts do not have; from the "
             "viewpoint or the direction below; or from one side of the object, orthographic, as in "
             "MeshLab's menu: Front looks along -z with y upward."),
-        PlaceRow{{"viewpoint", "Viewpoint",
-                  "Position of the eye, for perspective views. Get: View Pos. takes that of the "
-                  "window.",
-                  PlaceKind::Position},
-                 &Parameters::viewpoint},
-        PlaceRow{{"view_direction", "View Direction",
-                  "From the object to the viewer, for orthographic views. Get: View Dir. takes "
-                  "that of the window.",
-                  PlaceKind::Direction},
-                 &Parameters::view_direction},
+        rows::place(&Parameters::viewpoint, "viewpoint", "Viewpoint", OptionKind::Position,
+                    "Position of the eye, for perspective views. Get: View Pos. takes that of the "
+                    "window."),
+        rows::place(&Parameters::view_direction, "view_direction", "View Direction",
+                    OptionKind::Direction,
+                    "From the object to the viewer, for orthographic views. Get: View Dir. takes "
+                    "that of the window."),
         rows::choice<&Parameters::settings>(
             "settings", "Settings", line_drawing::settingsNames({"Defaults", "As the Decoration"}),
             "As the Decoration: lines, hidden lines, light and colors as the decoration Laplacian "
@@ -67,18 +56,6 @@ const std::vector<std::variant<Row, PlaceRow>>& table() {
             "usual."),
     };
     return table;
-}
-
-using meshlab_host::addParameter;
-using meshlab_host::readParameter;
-
-void addParameter(const PlaceRow& row, const Parameters& defaults, RichParameterList& list) {
-    meshlab_host::addPlace(row.description, defaults.*row.value, list);
-}
-
-void readParameter(const PlaceRow& row, Parameters& parameters, const RichParameterList& list) {
-    Eigen::Vector3d& target = parameters.*row.value;
-    target = meshlab_host::readPlace(row.description, target, list);
 }
 
 void takeFromMixture(const laplacian_lines::LineMixture& mixture, Parameters& parameters) {
@@ -136,14 +113,14 @@ PolylineParameters polylineDefaults(const MeshModel* mesh,
 }
 
 void listPolylineParameters(const PolylineParameters& defaults, RichParameterList& list) {
-    for (const auto& any : table())
-        std::visit([&](const auto& row) { addParameter(row, defaults, list); }, any);
+    for (const auto& row : table())
+        meshlab_host::addParameter(row, row.value(defaults), list);
 }
 
 PolylineParameters readPolylineParameters(const RichParameterList& list) {
     Parameters result;
-    for (const auto& any : table())
-        std::visit([&](const auto& row) { readParameter(row, result, list); }, any);
+    for (const auto& row : table())
+        meshlab_host::readParameter(row, result, list);
     if (result.settings == line_drawing::settings_of_decoration) takeFromDecoration(result);
     if (const auto* mixture = line_drawing::mixtureAt(result.settings))
         takeFromMixture(*mixture, result);

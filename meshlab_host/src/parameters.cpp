@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshlab_host/parameters.h"
 
+#include <QColor>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "laplacian_lines/error.h"
 
 namespace meshlab_host {
 
+using laplacian_lines::OptionDescription;
 using laplacian_lines::OptionKind;
+using laplacian_lines::OptionValue;
 
 namespace {
 
@@ -25,6 +29,7 @@ double asWritten(float value) {
 std::optional<double> number(const Value& value) {
     if (value.isBool()) return value.getBool() ? 1 : 0;
     if (value.isInt()) return value.getInt();
+    if (value.isColor()) return value.getColor().rgb() & 0xffffff;
     if (value.isFloat()) return asWritten(float(value.getFloat()));
 #if MESHLAB_API < 2022
     if (value.isEnum()) return value.getEnum();
@@ -34,13 +39,60 @@ std::optional<double> number(const Value& value) {
     return std::nullopt;
 }
 
-template <class Rich, class Description, class... Value>
-void add(const Description& d, RichParameterList& list, const Value&... value) {
-    list.addParam(Rich(d.name, value..., d.label, toolTip(d.help)));
+struct ParameterText {
+    QString name, label, tool_tip;
+};
+
+template <class Rich, class... Value>
+void add(const ParameterText& text, RichParameterList& list, const Value&... value) {
+    list.addParam(Rich(text.name, value..., text.label, text.tool_tip));
 }
 
-[[noreturn]] void refuseValue(const QString& value, const ParameterDescription& d) {
-    meshlab_host::refuseValue(value, d.label, d.allowed);
+QString inQt(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+Point3m pointOf(const Eigen::Vector3d& p) {
+    return {Scalarm(p.x()), Scalarm(p.y()), Scalarm(p.z())};
+}
+
+QStringList choicesOf(const OptionDescription& option) {
+    QStringList choices;
+    for (const char* choice : option.choices)
+        choices << choice;
+    return choices;
+}
+
+QColor colorOf(double value) {
+    return QColor(QRgb(value));
+}
+
+[[noreturn]] void refuse(const QString& value, const OptionDescription& option) {
+    laplacian_lines::refuse_value(QString("\"%1\"").arg(option.label).toStdString(),
+                                  value.toStdString(), laplacian_lines::allowed_values(option));
+}
+
+double numberOf(const Value& value, const OptionDescription& option) {
+    const std::optional<double> result = number(value);
+    if (!result || std::isnan(*result)) refuse("not a number", option);
+    if (!(*result >= option.minimum && *result <= option.maximum))
+        refuse(QString::number(*result), option);
+    return *result;
+}
+
+std::string textOf(const Value& value, const OptionDescription& option) {
+    if (!value.isString()) refuse("not a text", option);
+    return value.getString().toStdString();
+}
+
+Eigen::Vector3d placeOf(const Value& value, const OptionDescription& option) {
+    if (!isPoint(value)) refuse("not a point", option);
+    const Point3m p = pointIn(value);
+    const Eigen::Vector3d place(asWritten(float(p[0])), asWritten(float(p[1])),
+                                asWritten(float(p[2])));
+    if (!place.allFinite()) refuse("not finite", option);
+    if (option.kind == OptionKind::Direction && place.isZero(0)) refuse("0 0 0", option);
+    return place;
 }
 
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
@@ -65,7 +117,12 @@ double choiceIn(const QString& text, const QStringList& choices) {
     return found;
 }
 
-double numberIn(const QString& text) {
+double colorIn(const QString& text) {
+    const QColor color(text);
+    return color.isValid() ? color.rgb() & 0xffffff : no_value;
+}
+
+double realIn(const QString& text) {
     bool is_number = false;
     const double number = text.toDouble(&is_number);
     return is_number ? number : no_value;
@@ -83,106 +140,75 @@ QString toolTip(const QString& help) {
 #endif
 }
 
-void addNumber(const ParameterDescription& d, double value, double diagonal,
-               RichParameterList& list) {
-    switch (d.kind) {
+void addParameter(const OptionDescription& option, const OptionValue& value,
+                  RichParameterList& list, double diagonal, const QString& prefix) {
+    const ParameterText text{prefix + option.key, option.label, toolTip(option.help)};
+    switch (option.kind) {
         case OptionKind::Real:
-            return add<RichFloat>(d, list, float(value));
+            return add<RichFloat>(text, list, float(std::get<double>(value)));
         case OptionKind::Length: {
             const double whole = diagonal > 0 ? diagonal : 1;  // the widget divides by it
-            return add<RichLength>(d, list, float(value), 0.f, float(whole));
+            return add<RichLength>(text, list, float(std::get<double>(value)), 0.f, float(whole));
         }
         case OptionKind::Boolean:
-            return add<RichBool>(d, list, value != 0);
+            return add<RichBool>(text, list, std::get<double>(value) != 0);
         case OptionKind::Choice:
-            return add<RichEnum>(d, list, int(value), d.choices);
+            return add<RichEnum>(text, list, int(std::get<double>(value)), choicesOf(option));
+        case OptionKind::Color:
+            return add<RichColor>(text, list, colorOf(std::get<double>(value)));
+        case OptionKind::Text:
+            return add<RichString>(text, list, inQt(std::get<std::string>(value)));
+        case OptionKind::File:
+            return add<RichFileToSave>(text, list, inQt(std::get<std::string>(value)),
+                                       QString("%1 (*.%2)").arg(option.label,
+                                                               choicesOf(option).join(" *.")));
+        case OptionKind::Position:
+            return add<RichPlace>(text, list, pointOf(std::get<Eigen::Vector3d>(value)));
+        case OptionKind::Direction:
+            return add<RichHeading>(text, list, pointOf(std::get<Eigen::Vector3d>(value)));
     }
 }
 
-double readNumber(const ParameterDescription& d, double fallback, const RichParameterList& list) {
-    if (!list.hasParameter(d.name)) return fallback;
-    const std::optional<double> value = number(list.getParameterByName(d.name).value());
-    if (!value) refuseValue("not a number", d);
-    // NaN fails, too.
-    if (!(*value >= d.minimum && *value <= d.maximum))
-        refuseValue(std::isnan(*value) ? "not a number" : QString::number(*value), d);
-    return *value;
-}
-
-void addPlace(const PlaceDescription& d, const Eigen::Vector3d& value, RichParameterList& list) {
-    const Point3m point(Scalarm(value.x()), Scalarm(value.y()), Scalarm(value.z()));
-    if (d.kind == PlaceKind::Position)
-        add<RichPlace>(d, list, point);
-    else
-        add<RichHeading>(d, list, point);
-}
-
-Eigen::Vector3d readPlace(const PlaceDescription& d, const Eigen::Vector3d& fallback,
-                          const RichParameterList& list) {
-    if (!list.hasParameter(d.name)) return fallback;
-    const Value& value = list.getParameterByName(d.name).value();
-    const auto refuse = [&](const char* why) {
-        laplacian_lines::refuse(QString("\"%1\" %2").arg(d.label, why).toStdString());
-    };
-    if (!isPoint(value)) refuse("has to be three numbers.");
-    const Point3m point = pointIn(value);
-    const Eigen::Vector3d result(asWritten(float(point[0])), asWritten(float(point[1])),
-                                 asWritten(float(point[2])));
-    if (!result.allFinite()) refuse("has to be three finite numbers.");
-    if (d.kind == PlaceKind::Direction && result.isZero(0))
-        refuse("is 0 0 0, which is not a direction.");
-    return result;
-}
-
-void addText(const TextDescription& d, const QString& value, RichParameterList& list) {
-    if (d.files.isEmpty())
-        add<RichString>(d, list, value);
-    else
-        add<RichFileToSave>(d, list, value, d.files);
-}
-
-QString readText(const TextDescription& d, const QString& fallback, const RichParameterList& list) {
-    if (!list.hasParameter(d.name)) return fallback;
-    const Value& value = list.getParameterByName(d.name).value();
-    if (!value.isString()) refuseValue("not a text", d.label, "one");
-    return value.getString();
-}
-
-QColor readColor(const QString& name, const QColor& fallback, const RichParameterList& list) {
+OptionValue readParameter(const OptionDescription& option, const OptionValue& fallback,
+                          const RichParameterList& list, const QString& prefix) {
+    const QString name = prefix + option.key;
     if (!list.hasParameter(name)) return fallback;
     const Value& value = list.getParameterByName(name).value();
-    return value.isColor() ? value.getColor() : fallback;
-}
-
-double valueIn(const QString& text, const ParameterDescription& d) {
-    double value = no_value;
-    switch (d.kind) {
-        case OptionKind::Boolean:
-            value = switchIn(text);
-            break;
-        case OptionKind::Choice:
-            value = choiceIn(text, d.choices);
-            break;
-        case OptionKind::Real:
-        case OptionKind::Length:
-            value = numberIn(text);
-            break;
+    switch (option.kind) {
+        case OptionKind::Text:
+        case OptionKind::File:
+            return textOf(value, option);
+        case OptionKind::Position:
+        case OptionKind::Direction:
+            return placeOf(value, option);
+        default:
+            return numberOf(value, option);
     }
-    if (value >= d.minimum && value <= d.maximum) return value;
-    const bool has_comma = !std::isnan(numberIn(QString(text).replace(',', '.')));
-    const QString hint = has_comma && text.contains(',') ? ", with a decimal point" : "";
-    refuseValue(text, d.label, d.allowed + hint);
 }
 
-QString textOf(double value, const ParameterDescription& d) {
-    if (d.kind == OptionKind::Boolean) return value != 0 ? "on" : "off";
-    if (d.kind == OptionKind::Choice) return d.choices.value(int(value));
-    return QString::number(value, 'g', 9);
+double numberIn(const QString& text, const OptionDescription& option) {
+    const double value = option.kind == OptionKind::Boolean  ? switchIn(text)
+                         : option.kind == OptionKind::Choice ? choiceIn(text, choicesOf(option))
+                         : option.kind == OptionKind::Color  ? colorIn(text)
+                                                             : realIn(text);
+    if (value >= option.minimum && value <= option.maximum) return value;
+    const bool has_comma = text.contains(',') && !std::isnan(realIn(QString(text).replace(',', '.')));
+    laplacian_lines::refuse_value(
+        QString("\"%1\"").arg(option.label).toStdString(), text.toStdString(),
+        laplacian_lines::allowed_values(option) + (has_comma ? ", with a decimal point" : ""));
 }
 
-void refuseValue(const QString& value, const QString& label, const QString& allowed) {
-    laplacian_lines::refuse_value(QString("\"%1\"").arg(label).toStdString(), value.toStdString(),
-                                  allowed.toStdString());
+QString textOf(double value, const OptionDescription& option) {
+    switch (option.kind) {
+        case OptionKind::Boolean:
+            return value != 0 ? "on" : "off";
+        case OptionKind::Choice:
+            return option.choices[std::size_t(value)];
+        case OptionKind::Color:
+            return colorOf(value).name();
+        default:
+            return QString::number(value, 'g', 9);
+    }
 }
 
 }  // namespace meshlab_host

@@ -16,7 +16,7 @@ using namespace line_drawing;
 namespace {
 
 const char* kind_of(const SheetOption& option) {
-    if (option.text) return "text";
+    if (option.row.text) return "text";
     if (!option.switch_words.empty()) return "boolean";
     return option.row.choices.empty() ? "real" : "choice";
 }
@@ -34,7 +34,7 @@ nb::list sheet_options() {
                             "minimum"_a = option.row.minimum, "maximum"_a = option.row.maximum,
                             "choices"_a = list_of(option.switch_words.empty() ? words : Words()),
                             "words"_a = list_of(words), "command"_a = option.command(),
-                            "default"_a = option.text ? nb::cast(option.valueIn({}))
+                            "default"_a = option.row.text ? nb::cast(option.valueIn({}))
                                                       : nb::cast(option.row.get({}))));
     }
     return rows;

@@ -31,7 +31,7 @@ using Values = std::map<std::string, double>;
 using Direction = std::array<double, 3>;
 
 template <class Options>
-nb::list rows_of(const std::vector<OptionDescription<Options>>& table) {
+nb::list rows_of(const std::vector<OptionRow<Options>>& table) {
     constexpr const char* kinds[] = {"real", "length", "boolean", "choice"};
     nb::list rows;
     for (const auto& row : table) {
@@ -46,7 +46,7 @@ nb::list rows_of(const std::vector<OptionDescription<Options>>& table) {
 
 /// Unknown keys are a bug of the package: it looks them up before.
 template <class Options>
-Options options_of(const std::vector<OptionDescription<Options>>& table, const Values& values) {
+Options options_of(const std::vector<OptionRow<Options>>& table, const Values& values) {
     Options options;
     for (const auto& row : table)
         if (const auto found = values.find(row.key); found != values.end())

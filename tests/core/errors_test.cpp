@@ -45,7 +45,7 @@ std::string expect_error(ErrorCode code, const std::function<void()>& call) {
 
 /// As far as the row's type can hold them.
 template <class Options>
-std::vector<double> bad_values(const OptionDescription<Options>& row) {
+std::vector<double> bad_values(const OptionRow<Options>& row) {
     if (row.kind == OptionKind::Boolean) return {};
     if (row.kind == OptionKind::Choice) return {row.minimum - 1, row.maximum + 1};
     std::vector<double> values = {std::nextafter(row.minimum, -kInfinity), kNaN, -kInfinity,

@@ -13,13 +13,13 @@ namespace {
 using namespace laplacian_lines;
 
 template <class Options>
-const std::vector<OptionDescription<Options>>& table();
+const std::vector<OptionRow<Options>>& table();
 template <>
-const std::vector<OptionDescription<PrecomputeOptions>>& table() {
+const std::vector<OptionRow<PrecomputeOptions>>& table() {
     return precompute_option_table();
 }
 template <>
-const std::vector<OptionDescription<LineStyle>>& table() {
+const std::vector<OptionRow<LineStyle>>& table() {
     return line_style_table();
 }
 

@@ -47,7 +47,7 @@ private:
 };
 
 template <class Options>
-Options wild_options(const std::vector<OptionDescription<Options>>& table, Bytes& bytes) {
+Options wild_options(const std::vector<OptionRow<Options>>& table, Bytes& bytes) {
     Options options;
     for (unsigned changes = bytes.byte() % 6; changes > 0; --changes) {
         const auto& row = table[bytes.byte() % table.size()];

@@ -58,7 +58,7 @@ TEST(SheetOptions, HaveNamesOfTheirOwn) {
         EXPECT_TRUE(labels.insert(option.row.label).second) << option.row.label;
         EXPECT_TRUE(commands.insert(option.command()).second) << option.row.key;
         EXPECT_TRUE(endsWith(option.row.help, ".")) << option.row.key;
-        EXPECT_EQ(option.text != nullptr, option.row.get == nullptr) << option.row.key;
+        EXPECT_EQ(option.row.text != nullptr, option.row.get == nullptr) << option.row.key;
     }
 }
 
@@ -137,7 +137,7 @@ TEST(SheetOptions, OfTheFilterAreDocumented) {
 std::string inScript(const SheetOption& option) {
     const SheetOption::Row& row = option.row;
     const std::string begin = std::string("<Param name=\"") + row.key + "\" type=\"";
-    if (option.text) return begin + "RichString\" value=\"" + option.valueIn({}) + "\"/>";
+    if (option.row.text) return begin + "RichString\" value=\"" + option.valueIn({}) + "\"/>";
     const double value = row.get({});
     if (row.kind == laplacian_lines::OptionKind::Boolean)
         return begin + "RichBool\" value=\"" + (value != 0 ? "true" : "false") + "\"/>";

@@ -36,8 +36,8 @@ TEST(DrawingParameters, TheViewOfTheWindowHasItsUpwardDirection) {
 TEST(DrawingParameters, AreReadAsTheyWereListed) {
     DrawingParameters given;
     for (const auto& option : line_drawing::sheetOptionTable())
-        if (option.text)
-            given.*option.text = option.row.key;
+        if (option.row.text)
+            given.*option.row.text = option.row.key;
         else if (option.row.get(given) < option.row.maximum)
             option.row.set(given, option.row.maximum);
         else
@@ -47,8 +47,8 @@ TEST(DrawingParameters, AreReadAsTheyWereListed) {
     const DrawingParameters read = readDrawingParameters(list);
     for (const auto& option : line_drawing::sheetOptionTable()) {
         if (!option.isOf(line_drawing::SheetOption::Place::Filter)) continue;
-        if (option.text) {
-            EXPECT_EQ(read.*option.text, option.row.key);
+        if (option.row.text) {
+            EXPECT_EQ(read.*option.row.text, option.row.key);
         } else {
             EXPECT_EQ(option.row.get(read), option.row.get(given)) << option.row.key;
         }

@@ -61,5 +61,5 @@ for reason, settings in (
         (r'"Detail" is 101\. It has to be between 0 and 100', {"detail": 101}),
         ("is inside the surface", {"view": 1, "viewpoint": (1, 0, 0)}),
         ("is inside the surface", {"view": 1, "viewpoint": (1, 0, 0), "visible_only": "false"}),
-        ('"View Direction" is 0 0 0, which is not a direction', {"view": 2, "view_direction": (0, 0, 0)})):
+        (r'"View Direction" is 0 0 0\. It has to be three finite numbers, not all 0', {"view": 2, "view_direction": (0, 0, 0)})):
     refuse(reason, EXAMPLE, **settings)

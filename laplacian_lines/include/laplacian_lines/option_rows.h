@@ -25,17 +25,11 @@ template <auto... Path>
 using OptionsOf = typename PathTraits<Path...>::Options;
 
 template <auto... Path>
-OptionDescription<OptionsOf<Path...>> row(const char* key, const char* label, OptionKind kind,
-                                          double minimum, double maximum, const char* help,
-                                          std::vector<const char*> choices = {}) {
+OptionRow<OptionsOf<Path...>> row(const char* key, const char* label, OptionKind kind,
+                                  double minimum, double maximum, const char* help,
+                                  std::vector<const char*> choices = {}) {
     using Options = OptionsOf<Path...>;
-    return {key,
-            label,
-            help,
-            kind,
-            minimum,
-            maximum,
-            std::move(choices),
+    return {{key, label, help, kind, minimum, maximum, std::move(choices)},
             [](const Options& options) { return static_cast<double>((options.*....*Path)); },
             [](Options& options, double value) {
                 auto& member = (options.*....*Path);
@@ -64,18 +58,35 @@ auto choice(const char* key, const char* label, std::vector<const char*> choices
     return row<Path...>(key, label, OptionKind::Choice, 0, last, help, std::move(choices));
 }
 
+template <class Options>
+OptionRow<Options> text(std::string Options::*member, const char* key, const char* label,
+                        const char* help) {
+    return {{key, label, help, OptionKind::Text, 0, 0, {}}, nullptr, nullptr, member};
+}
+
+/// `endings`: "svg" and so on.
+template <class Options>
+OptionRow<Options> file(std::string Options::*member, const char* key, const char* label,
+                        const char* help, std::vector<const char*> endings) {
+    return {{key, label, help, OptionKind::File, 0, 0, std::move(endings)},
+            nullptr,
+            nullptr,
+            member};
+}
+
+/// Position or Direction.
+template <class Options>
+OptionRow<Options> place(Eigen::Vector3d Options::*member, const char* key, const char* label,
+                         OptionKind kind, const char* help) {
+    return {{key, label, help, kind, 0, 0, {}}, nullptr, nullptr, nullptr, member};
+}
+
 /// Whether a kind of lines is in the LineKindSet at the end of the path.
 template <LineKind Kind, auto... Path>
-OptionDescription<OptionsOf<Path...>> kind_switch() {
+OptionRow<OptionsOf<Path...>> kind_switch() {
     using Options = OptionsOf<Path...>;
     constexpr const LineKindDescription& kind = describe(Kind);
-    return {kind.key,
-            kind.label,
-            kind.help,
-            OptionKind::Boolean,
-            0,
-            1,
-            {},
+    return {{kind.key, kind.label, kind.help, OptionKind::Boolean, 0, 1, {}},
             [](const Options& options) { return (options.*....*Path)[Kind] ? 1. : 0.; },
             [](Options& options, double value) { (options.*....*Path)[Kind] = value != 0; }};
 }

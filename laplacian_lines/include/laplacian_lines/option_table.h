@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "laplacian_lines/line_style.h"
@@ -10,15 +12,18 @@
 namespace laplacian_lines {
 
 enum class OptionKind {
-    Real,     ///< a dimensionless number, or in the unit that its help names
-    Length,   ///< a length in mesh units; user interfaces may offer percent of the diagonal
-    Boolean,  ///< 0 or 1
-    Choice,   ///< index into `choices`
+    Real,       ///< a dimensionless number, or in the unit that its help names
+    Length,     ///< a length in mesh units; user interfaces may offer percent of the diagonal
+    Boolean,    ///< 0 or 1
+    Choice,     ///< index into `choices`
+    Color,      ///< 0xRRGGBB
+    Text,       ///< any
+    File,       ///< name of a file to write; `choices` are its possible endings
+    Position,   ///< in world coordinates
+    Direction,  ///< in world coordinates, of any length but 0
 };
 
-/// A member of an options struct. Scripts, range checks and those in dialogs are made from these
-/// rows; defaults are those of a default-constructed struct.
-template <class Options>
+/// What users are told of an option, whatever struct it is a member of.
 struct OptionDescription {
     const char* key;    ///< identifier in scripts, stable between versions
     const char* label;  ///< short name in dialogs
@@ -27,23 +32,43 @@ struct OptionDescription {
     double minimum;
     double maximum;
     std::vector<const char*> choices;
-    double (*get)(const Options&);
+};
+
+using OptionValue = std::variant<double, std::string, Eigen::Vector3d>;
+
+/// A member of an options struct. Scripts, range checks and those in dialogs are made from these
+/// rows; defaults are those of a default-constructed struct.
+template <class Options>
+struct OptionRow : OptionDescription {
+    double (*get)(const Options&);  ///< null for texts and places, as set
     void (*set)(Options&, double);
+    std::string Options::*text = nullptr;       ///< of Text and File
+    Eigen::Vector3d Options::*place = nullptr;  ///< of Position and Direction
+
+    OptionValue value(const Options& options) const {
+        if (text) return options.*text;
+        if (place) return options.*place;
+        return get(options);
+    }
+    /// @throws std::bad_variant_access for a value of another kind
+    void set_value(Options& options, const OptionValue& value) const {
+        if (text)
+            options.*text = std::get<std::string>(value);
+        else if (place)
+            options.*place = std::get<Eigen::Vector3d>(value);
+        else
+            set(options, std::get<double>(value));
+    }
 };
 
 /// What is allowed, after "It has to be": "between 0 and 100", "one of 0 (Uniform), 1 (Adaptive)".
-std::string allowed_values(OptionKind kind, double minimum, double maximum,
-                           const std::vector<const char*>& choices);
-template <class Options>
-std::string allowed_values(const OptionDescription<Options>& row) {
-    return allowed_values(row.kind, row.minimum, row.maximum, row.choices);
-}
+std::string allowed_values(const OptionDescription& option);
 
 /// "WHAT is VALUE. It has to be ALLOWED." @throws Error(InvalidOption), always
 [[noreturn]] void refuse_value(const std::string& what, const std::string& value,
                                const std::string& allowed);
 
-const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table();
-const std::vector<OptionDescription<LineStyle>>& line_style_table();
+const std::vector<OptionRow<PrecomputeOptions>>& precompute_option_table();
+const std::vector<OptionRow<LineStyle>>& line_style_table();
 
 }  // namespace laplacian_lines

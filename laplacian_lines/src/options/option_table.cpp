@@ -21,7 +21,7 @@ std::string in_words(double value) {
 }
 
 template <class Options>
-void check_ranges(const std::vector<OptionDescription<Options>>& table, const Options& options) {
+void check_ranges(const std::vector<OptionRow<Options>>& table, const Options& options) {
     for (const auto& option : table) {
         const double value = option.get(options);
         if (value >= option.minimum && value <= option.maximum) continue;
@@ -32,26 +32,40 @@ void check_ranges(const std::vector<OptionDescription<Options>>& table, const Op
 
 }  // namespace
 
-std::string allowed_values(OptionKind kind, double minimum, double maximum,
-                           const std::vector<const char*>& choices) {
-    if (kind == OptionKind::Boolean) return "on or off";
-    if (kind == OptionKind::Choice) {
-        std::string items;
-        for (std::size_t i = 0; i < choices.size(); ++i)
-            items += (i > 0 ? ", " : "") + std::to_string(i) + " (" + choices[i] + ")";
-        return "one of " + items;
+std::string allowed_values(const OptionDescription& option) {
+    switch (option.kind) {
+        case OptionKind::Boolean:
+            return "on or off";
+        case OptionKind::Choice: {
+            std::string items;
+            for (std::size_t i = 0; i < option.choices.size(); ++i)
+                items += (i > 0 ? ", " : "") + std::to_string(i) + " (" + option.choices[i] + ")";
+            return "one of " + items;
+        }
+        case OptionKind::Color:
+            return "a color, such as #202020 or gray";
+        case OptionKind::Text:
+        case OptionKind::File:
+            return "a text";
+        case OptionKind::Position:
+            return "three finite numbers";
+        case OptionKind::Direction:
+            return "three finite numbers, not all 0";
+        case OptionKind::Real:
+        case OptionKind::Length:
+            break;
     }
-    if (maximum == kUnlimited) return "at least " + in_words(minimum);
-    return "between " + in_words(minimum) + " and " + in_words(maximum);
+    if (option.maximum == kUnlimited) return "at least " + in_words(option.minimum);
+    return "between " + in_words(option.minimum) + " and " + in_words(option.maximum);
 }
 
 void refuse_value(const std::string& what, const std::string& value, const std::string& allowed) {
     refuse(what + " is " + value + ". It has to be " + allowed + ".");
 }
 
-const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table() {
+const std::vector<OptionRow<PrecomputeOptions>>& precompute_option_table() {
     using O = PrecomputeOptions;
-    static const std::vector<OptionDescription<O>> table = {
+    static const std::vector<OptionRow<O>> table = {
         row<&O::kernel_size>("kernel_size", "Kernel Size", OptionKind::Length, 0, kUnlimited,
                              "Size of the features that the lines show, &radic;h, in mesh units: "
                              "larger gives fewer and smoother lines. 0 means automatic: 1.3 mean "
@@ -110,12 +124,12 @@ const std::vector<OptionDescription<PrecomputeOptions>>& precompute_option_table
 
 namespace {
 
-using StyleRow = OptionDescription<LineStyle>;
+using StyleRow = OptionRow<LineStyle>;
 using S = LineStyle;
 
 }  // namespace
 
-const std::vector<OptionDescription<LineStyle>>& line_style_table() {
+const std::vector<OptionRow<LineStyle>>& line_style_table() {
     static const std::vector<StyleRow> table = {
         real<&S::detail>("detail", "Detail", 0, 100,
                          "More or fewer lines, 0 to 100: moves all thresholds together. 50 leaves "

@@ -44,7 +44,7 @@ const laplacian_lines::LineMixture* mixtureAt(int settings);
 
 /// An option of measured drawings, with the default of SheetChoices.
 struct SheetOption {
-    using Row = laplacian_lines::OptionDescription<SheetChoices>;
+    using Row = laplacian_lines::OptionRow<SheetChoices>;
     enum class Place { Both, Command, Filter };
 
     Row row;
@@ -52,7 +52,6 @@ struct SheetOption {
     /// The command's words for a switch, off and on. Choices go by the first words of their labels,
     /// in lower case.
     std::vector<const char*> switch_words = {};
-    std::string SheetChoices::*text = nullptr;  ///< of an option that is a text
     const char* form = "";                      ///< placeholder for a text in the command's help
     /// The command's name for it, without --; null: the key.
     const char* command_word = nullptr;

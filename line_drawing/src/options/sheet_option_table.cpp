@@ -13,9 +13,7 @@ constexpr auto look = &S::look;
 
 SheetOption text(std::string S::*member, const char* key, const char* label, const char* help,
                  const char* form, Place place = Place::Both) {
-    const SheetOption::Row row = {key, label,   help,   laplacian_lines::OptionKind::Choice, 0, 0,
-                                  {},  nullptr, nullptr};
-    return {row, place, {}, member, form};
+    return {rows::text(member, key, label, help), place, {}, form};
 }
 
 SheetOption sections() {
@@ -43,11 +41,15 @@ std::vector<const char*> columnOf(const Table& table, const char* Row::*name) {
     return names;
 }
 
-std::vector<SheetOption> makeTable() {
-    static const std::string file_help =
+SheetOption file() {
+    static const std::string help =
         "Ends in " + endingsInWords(", ", " or ") + ". {folder}, {name}: the mesh's.";
+    return {rows::file(&S::file, "file", "File", help.c_str(), columnOf(sheet_formats, &SheetFormat::ending)), Place::Filter};
+}
+
+std::vector<SheetOption> makeTable() {
     return {
-        text(&S::file, "file", "File", file_help.c_str(), "", Place::Filter),
+        file(),
         text(&S::views, "views", "Views",
              "With commas: front, back, left, right, top, bottom, six (all of these), vessel "
              "(half section, half view), azimuth and elevation, as 30,15; in MeshLab window.",

@@ -113,21 +113,22 @@ std::string SheetOption::command() const {
 
 Words SheetOption::words() const {
     Words result(switch_words.begin(), switch_words.end());
+    if (row.text) return result;
     for (const std::string label : row.choices)
         result.push_back(lower(label.substr(0, label.find(' '))));
     return result;
 }
 
 std::string SheetOption::valueIn(const SheetChoices& choices) const {
-    if (text) return choices.*text;
+    if (row.text) return choices.*row.text;
     const double value = row.get(choices);
     const Words known = words();
     return std::size_t(value) < known.size() ? known[std::size_t(value)] : inDigits(value);
 }
 
 void SheetOption::read(const std::string& word, SheetChoices& choices) const {
-    if (text) {
-        choices.*text = adds_up ? choices.*text + ' ' + word : word;
+    if (row.text) {
+        choices.*row.text = adds_up ? choices.*row.text + ' ' + word : word;
         return;
     }
     if (const Words known = words(); !known.empty()) {
@@ -174,7 +175,7 @@ std::string sheetOptionsHelp() {
         if (!option.isOf(SheetOption::Place::Command)) continue;
         const Words words = option.words();
         const std::string value =
-            option.text     ? option.form
+            option.row.text ? option.form
             : words.empty() ? inDigits(option.row.minimum) + ".." + inDigits(option.row.maximum)
                             : joined(words, "|");
         const std::string head = "  " + option.command() + ' ' + value;
