@@ -10,6 +10,7 @@
 #include "laplacian_lines/line_mixture.h"
 #include "laplacian_lines/line_style.h"
 #include "laplacian_lines/option_table.h"
+#include "line_drawing/sheet_options.h"
 #include "line_renderer/line_appearance.h"
 #include "meshlab_host/drawn_style.h"
 #include "meshlab_host/meshlab_api.h"
@@ -32,13 +33,19 @@ enum class AtRest { PrintedDrawing, LiveLines };
 /// From 1 on, lights turn with the camera: eight around the picture, clockwise.
 constexpr int at_the_eye = 0, from_the_upper_left = 1;
 
+/// Of a class of printed lines, in widths of lines inside: the same while the view turns.
+constexpr double pen(line_drawing::LineClass line_class) {
+    constexpr line_drawing::Pens pens = line_drawing::pensOf(line_drawing::Weights::Illustrator);
+    return pens[std::size_t(line_class)] / pens[std::size_t(line_drawing::LineClass::Inner)];
+}
+
 /// MeshLab's decoration parameters, which all views share.
 struct DecorationParameters {
     DrawingStyle drawing_style = DrawingStyle::Custom;
     int mixture = as_ticked;  ///< of laplacian_lines::line_mixtures, counted from 1
     laplacian_lines::LineStyle style;
     double line_width = line_renderer::usual_line_width;
-    double outline_width = describe(laplacian_lines::LineKind::Contour).width;  ///< in line widths
+    double outline_width = pen(line_drawing::LineClass::Outline);  ///< in line widths
     QColor line_color = Qt::black;
     line_renderer::LineAppearance appearance;  ///< its looks are made of the above
     AtRest at_rest = AtRest::PrintedDrawing;
