@@ -304,8 +304,8 @@ Print DecorateLaplacianLines::demandPrint(const MeshModel& mesh, GLArea* view,
         prints_.forget(view);
         return {};
     }
-    const bool waits =
-        tiles > 1 || (layer.widget && layer.widget->property(waits_property).toBool());
+    const bool waits = snapshot_dialog_.hasClosed() || tiles > 1 ||
+                       (layer.widget && layer.widget->property(waits_property).toBool());
     Print print = prints_.demand(view, layer.widget, *printed, waits);
     if (!print.lack.isEmpty()) say(QString("%1: %2: %3").arg(title, mesh.label(), print.lack));
     return print;

@@ -10,6 +10,7 @@
 #include "line_renderer/redraw_clock.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/decorate_plugin_base.h"
+#include "meshlab_host/snapshot_dialog.h"
 #include "printed_views.h"
 #include "view_drawing.h"
 
@@ -70,6 +71,7 @@ private:
         known_layers_;  ///< of the documents that are watched
     /// What was said last of meshes without lines, by log, which is never followed, and mesh.
     std::map<std::pair<const GLLogStream*, int>, QString> complaints_;
+    meshlab_host::SnapshotDialog snapshot_dialog_;
     meshlab_host::SnapshotTiles tiles_;
     ViewDrawing drawing_;
     laplacian_lines::ExtractionScratch scratch_;

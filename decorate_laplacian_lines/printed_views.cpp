@@ -78,8 +78,6 @@ Print PrintedViews::demand(View view, QWidget* widget, const PrintedView& wanted
         entry.is_at_rest = false;
         rest_.start(int(std::clamp<qint64>(pause, milliseconds_idle, milliseconds_at_rest)));
     }
-    // Equal but for rounding: a snapshot of what the window shows.
-    waits = waits || entry.wanted.projection.topRows<2>() != wanted.projection.topRows<2>();
     if (waits && entry.isDue()) {
         interrupt();
         Running now;

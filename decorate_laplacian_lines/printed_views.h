@@ -42,8 +42,8 @@ public:
     PrintedViews& operator=(const PrintedViews&) = delete;
 
     /// The print, if it is ready. If not, the widget, which may be null, is redrawn when it is or
-    /// when it is known to lack something. With `waits`, or for a snapshot of a view that is shown,
-    /// it is drawn now. None if there is none yet, or cannot be.
+    /// when it is known to lack something, or with `waits` it is drawn now. None if there is none
+    /// yet, or cannot be.
     Print demand(View view, QWidget* widget, const PrintedView& wanted, bool waits);
     void forget(View view);
     /// That is shown, if any.

@@ -89,13 +89,10 @@ TEST_F(PrintedViewsTest, ComeOnceTheViewIsAtRestAndHaveItRedrawn) {
     EXPECT_EQ(demand(turned(30), true).picture->inks, picture->inks);
 }
 
-TEST_F(PrintedViewsTest, AreWaitedForByASnapshotOfOneTile) {
+TEST_F(PrintedViewsTest, StayForASnapshotOfOneTile) {
     PrintedView view = turned(20);
-    EXPECT_FALSE(demand(view).picture);
-    PrintedView snapshot = view;
-    snapshot.projection(0, 0) = std::nextafterf(1.5f, 2);
-    const Print print = demand(snapshot);
-    EXPECT_TRUE(print.is_final);
+    const Print print = demand(view, true);
+    view.projection(0, 0) = std::nextafterf(1.5f, 2);
     EXPECT_EQ(demand(view).picture, print.picture);
     view.projection(0, 0) *= 1.001;
     EXPECT_FALSE(demand(view).picture);
