@@ -39,13 +39,16 @@ constexpr double pen(line_drawing::LineClass line_class) {
     return pens[std::size_t(line_class)] / pens[std::size_t(line_drawing::LineClass::Inner)];
 }
 
+static_assert(pen(line_drawing::LineClass::Outline) ==
+              describe(laplacian_lines::LineKind::Contour).width);
+
 /// MeshLab's decoration parameters, which all views share.
 struct DecorationParameters {
     DrawingStyle drawing_style = DrawingStyle::Custom;
     int mixture = as_ticked;  ///< of laplacian_lines::line_mixtures, counted from 1
     laplacian_lines::LineStyle style;
     double line_width = line_renderer::usual_line_width;
-    double outline_width = pen(line_drawing::LineClass::Outline);  ///< in line widths
+    double outline_width = describe(laplacian_lines::LineKind::Contour).width;  ///< in line widths
     QColor line_color = Qt::black;
     line_renderer::LineAppearance appearance;  ///< its looks are made of the above
     AtRest at_rest = AtRest::PrintedDrawing;

@@ -63,7 +63,7 @@ TEST(DecorationParameters, AreTheDefaultsWhenNothingIsSet) {
     for (const auto& kind : laplacian_lines::line_kinds) {
         const line_renderer::LineLook& look = read.appearance.looks[std::size_t(kind.kind)];
         EXPECT_EQ(look.color, QColor(Qt::black));
-        EXPECT_DOUBLE_EQ(look.width, line_renderer::usual_line_width * (kind.is_outline ? 2 : 1));
+        EXPECT_DOUBLE_EQ(look.width, line_renderer::usual_line_width * kind.width);
         EXPECT_DOUBLE_EQ(look.share_within, kind.is_outline ? 0.7 : 1);
         EXPECT_EQ(read.style.shows[kind.kind], kind.shown) << kind.key;
     }
