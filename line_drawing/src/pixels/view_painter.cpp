@@ -18,7 +18,7 @@ using laplacian_lines::Progress;
 // Progress at which what hides lines and the lines within faces are ready.
 constexpr double sight_share = 0.3, lines_share = 0.7;
 constexpr double room_around = 12;                               // mm
-constexpr std::size_t most_kept_bytes = std::size_t(256) << 20;  // of extractors for other kernels
+constexpr std::size_t most_kept_bytes = std::size_t(128) << 20;  // of extractors for other kernels
 
 /// In pixels, x right, y down.
 Eigen::Vector2d pixelOf(const Eigen::Vector3d& point, const WindowView& view) {
