@@ -68,26 +68,13 @@ Eigen::Vector2i viewportSize() {
     return {viewport[2], viewport[3]};
 }
 
-/// Where the whole picture lies in a view, one of so many tiles in a row.
-line_renderer::PicturePlace placeInTile(const Eigen::Matrix4d& projection, double tiles) {
-    if (tiles == 1) return {};
-    return {tiles, meshlab_host::frustumOffset(projection)};
-}
-
-bool hasOneColor(const DecorationParameters& chosen) {
-    for (const auto& kind : laplacian_lines::line_kinds)
-        if (chosen.style.shows[kind.kind] &&
-            chosen.appearance.looks[std::size_t(kind.kind)].color != chosen.line_color)
-            return false;
-    return true;
-}
-
-/// No other layer of the document, if there is one, shows faces, which would hide its lines.
-bool isAlone(int mesh, const MeshDocument* document) {
-    if (!document) return true;
-    for (const MeshModel* layer : meshlab_host::layersOf(*document))
-        if (int(layer->id()) != mesh && layer->isVisible() && layer->cm.fn > 0) return false;
-    return true;
+/// The upper left corner, in the whole picture, of a view that is one of so many tiles in a row.
+Eigen::Vector2i cornerOf(const Eigen::Matrix4d& projection, int tiles) {
+    if (tiles == 1) return {0, 0};
+    const Eigen::Array2d offset = meshlab_host::frustumOffset(projection);
+    const Eigen::Array2d from_lower_left = (tiles - 1 - offset) / 2;
+    const Eigen::Array2d tile(from_lower_left.x(), tiles - 1 - from_lower_left.y());
+    return tile.round().cast<int>() * viewportSize().array();
 }
 
 double devicePixelRatio(QPainter* painter) {
@@ -213,8 +200,10 @@ PreparedLinesPointer DecorateLaplacianLines::demandLines(MeshModel& mesh, GLArea
     PreparedLinesPointer lines = cache_.find(source.key);
     if (!lines || lines->lacked_memory) lines = prepare();
     if (lines->lacked_memory && kept_.drop()) lines = prepare();
-    if (needs_derivatives && lines->extractor && !lines->has_derivatives)
+    if (needs_derivatives && lines->extractor && !lines->has_derivatives) {
+        prints_.interrupt();  // they may read the extractor
         addDerivatives(*lines, mesh.cm, mesh.label(), source, say_line);
+    }
     cache_.assign(view, mesh.id(), lines);
     keep(mesh, lines);
     return lines;
@@ -260,15 +249,39 @@ PreparedLinesPointer DecorateLaplacianLines::currentLines(const MeshModel& mesh,
     return lines;
 }
 
-std::optional<PrintedView> DecorateLaplacianLines::printedView(const MeshDocument* document,
-                                                               const PreparedLinesPointer& lines,
+std::shared_ptr<PrintedScene> DecorateLaplacianLines::printedScene(const MeshModel& mesh,
+                                                                   GLArea* view) const {
+    std::vector<const MeshModel*> layers = {&mesh};
+    if (const MeshDocument* document = meshlab_host::documentOf(mesh))
+        layers = meshlab_host::layersOf(*document);
+    std::vector<PlacedMesh> placed;
+    PreparedLinesPointer first;
+    std::size_t triangles = 0;
+    for (const MeshModel* layer : layers) {
+        const bool has_nothing = layer->cm.vn == 0, has_edges_alone = layer->cm.en > 0;
+        if (!layer->isVisible() || (layer->cm.fn == 0 && (has_nothing || has_edges_alone)))
+            continue;
+        const PreparedLinesPointer lines = cache_.at(view, layer->id());
+        if (!lines || !lines->printable) return nullptr;
+        triangles += lines->printable->mesh.triangles.size();
+        if (!first) first = lines;
+        placed.push_back({lines->printable, meshlab_host::layerTransform(layer->cm)});
+    }
+    if (!first || triangles > PrintedScene::most_triangles) return nullptr;
+    const std::shared_ptr<PrintedScene> shown = prints_.sceneOf(view);
+    if (shown && shown->isOf(placed)) return shown;
+    if (!first->scene || !first->scene->isOf(placed))
+        first->scene = std::make_shared<PrintedScene>(std::move(placed));
+    return first->scene;
+}
+
+std::optional<PrintedView> DecorateLaplacianLines::printedView(const MeshModel& mesh, GLArea* view,
                                                                const DecorationParameters& chosen,
                                                                const LayerInView& layer,
-                                                               double tiles) const {
-    const bool is_wanted = chosen.at_rest == AtRest::PrintedDrawing &&
-                           chosen.appearance.hidden != line_renderer::HiddenLines::Faint;
-    const bool is_possible = lines->scene && hasOneColor(chosen) && isAlone(layer.mesh, document);
-    if (!is_wanted || !is_possible) return std::nullopt;
+                                                               int tiles) const {
+    if (chosen.at_rest != AtRest::PrintedDrawing) return std::nullopt;
+    const std::shared_ptr<PrintedScene> scene = printedScene(mesh, view);
+    if (!scene) return std::nullopt;
     Eigen::Matrix4d projection = layer.placement.projection;
     if (tiles > 1) {
         projection = tiles_.camera().projection;
@@ -276,12 +289,26 @@ std::optional<PrintedView> DecorateLaplacianLines::printedView(const MeshDocumen
     }
     const double pen =
         line_drawing::SheetOptions().pens[std::size_t(line_drawing::LineClass::Inner)];
-    const Eigen::Vector2i size = int(tiles) * viewportSize();
-    if (size.maxCoeff() > line_renderer::PictureRenderer::largestSide()) return std::nullopt;
-    auto window = windowOf(layer.placement.to_eye, projection, size,
+    const Eigen::Matrix4d to_eye = layer.modelview * scene->toWorld();
+    auto window = windowOf(to_eye, projection, tiles * viewportSize(),
                            chosen.line_width * layer.placement.pixel_scale / pen);
     if (!window) return std::nullopt;
-    return PrintedView{lines, layer.placement.to_eye, projection, *window, chosen};
+    return PrintedView{scene, to_eye, projection, *window, chosen};
+}
+
+Print DecorateLaplacianLines::demandPrint(const MeshModel& mesh, GLArea* view,
+                                          const DecorationParameters& chosen,
+                                          const LayerInView& layer, int tiles) {
+    const auto printed = printedView(mesh, view, chosen, layer, tiles);
+    if (!printed) {
+        prints_.forget(view);
+        return {};
+    }
+    const bool waits = snapshot_dialog_.hasClosed() || tiles > 1 ||
+                       (layer.widget && layer.widget->property(waits_property).toBool());
+    Print print = prints_.demand(view, layer.widget, *printed, waits);
+    if (!print.lack.isEmpty()) say(QString("%1: %2: %3").arg(title, mesh.label(), print.lack));
+    return print;
 }
 
 QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedLinesPointer& lines,
@@ -293,7 +320,7 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
     LayerInView layer = layerInView(mesh, *lines, camera);
     layer.view = view;
     layer.widget = widgetOf(painter);
-    const double tiles = tiles_.scale(camera);
+    const int tiles = int(tiles_.scale(camera));
     layer.placement.pixel_scale = devicePixelRatio(painter) * lineScale(painter) * tiles;
     if (tiles > 1)
         layer.placement.picture_to_clip = tiles_.camera().projection * tiles_.camera().modelview *
@@ -301,19 +328,15 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
     layer.is_first = beginsRedraw(painter);
     const MeshDocument* document = meshlab_host::documentOf(mesh);
     if (layer.is_first && document) layer.shown = meshlab_host::layerIds(*document, true);
-    if (const auto printed = printedView(document, lines, chosen, layer, tiles)) {
-        const bool waits =
-            tiles > 1 || (layer.widget && layer.widget->property(waits_property).toBool());
-        const Print print = prints_.demand(view, layer.widget, *printed, waits);
-        if (!print.lack.isEmpty()) say(QString("%1: %2: %3").arg(title, mesh.label(), print.lack));
-        if (print.picture) {
-            drawing_.draw(layer, print.picture, placeInTile(camera.projection, tiles), chosen);
-            return chosen.show_statistics
-                       ? QString("printed drawing, %1 ms").arg(print.milliseconds, 0, 'f', 0)
-                       : QString();
-        }
-    } else {
-        prints_.forget(view);
+    if (layer.is_first)
+        print_ = demandPrint(mesh, view, chosen, layer, tiles);
+    else if (print_.picture && layer.widget && printedScene(mesh, view) != prints_.sceneOf(view))
+        layer.widget->update();  // this layer's lines have been prepared since
+    if (print_.picture) {
+        drawing_.draw(layer, *print_.picture, cornerOf(camera.projection, tiles), chosen);
+        return chosen.show_statistics
+                   ? QString("printed drawing, %1 ms").arg(print_.milliseconds, 0, 'f', 0)
+                   : QString();
     }
     clock.count(RedrawClock::DrawCalls);
     lines->extractor->extract(eye, chosen.style, scratch_, lines_);

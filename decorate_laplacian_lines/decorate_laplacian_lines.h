@@ -10,6 +10,7 @@
 #include "line_renderer/redraw_clock.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/decorate_plugin_base.h"
+#include "meshlab_host/snapshot_dialog.h"
 #include "printed_views.h"
 #include "view_drawing.h"
 
@@ -44,11 +45,15 @@ private:
     QString drawLines(const MeshModel& mesh, const PreparedLinesPointer& lines,
                       const DecorationParameters& chosen, GLArea* view, QPainter* painter,
                       line_renderer::RedrawClock& clock);
-    /// The layer as it would be printed, if that is wanted and possible.
-    std::optional<PrintedView> printedView(const MeshDocument* document,
-                                           const PreparedLinesPointer& lines,
+    /// All that the view shows of the mesh's document, if all of it has lines; else null.
+    std::shared_ptr<PrintedScene> printedScene(const MeshModel& mesh, GLArea* view) const;
+    /// The view as it would be printed, if that is wanted and possible.
+    std::optional<PrintedView> printedView(const MeshModel& mesh, GLArea* view,
                                            const DecorationParameters& chosen,
-                                           const LayerInView& layer, double tiles) const;
+                                           const LayerInView& layer, int tiles) const;
+    /// None if there is none yet, or cannot be; the log is told why.
+    Print demandPrint(const MeshModel& mesh, GLArea* view, const DecorationParameters& chosen,
+                      const LayerInView& layer, int tiles);
     /// Logs why a mesh has no lines, once, or remembers that it has; `log` is its document's.
     void complain(const MeshModel& mesh, const GLLogStream* log, const QString& refusal);
 
@@ -61,10 +66,12 @@ private:
     LineCache cache_;
     KeptLines kept_;
     PrintedViews prints_;
+    Print print_;  ///< of all layers, in the redraw that goes on
     std::map<const MeshDocument*, std::set<int>>
         known_layers_;  ///< of the documents that are watched
     /// What was said last of meshes without lines, by log, which is never followed, and mesh.
     std::map<std::pair<const GLLogStream*, int>, QString> complaints_;
+    meshlab_host::SnapshotDialog snapshot_dialog_;
     meshlab_host::SnapshotTiles tiles_;
     ViewDrawing drawing_;
     laplacian_lines::ExtractionScratch scratch_;

@@ -66,14 +66,16 @@ laplacian_lines::LineKindSet coloredKinds(const DecorationParameters& parameters
 
 line_renderer::LineLooks looksOf(const DecorationParameters& parameters) {
     const laplacian_lines::LineKindSet colored = coloredKinds(parameters);
+    constexpr double share_within =
+        pen(line_drawing::LineClass::Contour) / pen(line_drawing::LineClass::Outline);
     line_renderer::LineLooks looks;
-    std::transform(
-        laplacian_lines::line_kinds.begin(), laplacian_lines::line_kinds.end(), looks.begin(),
-        [&](const laplacian_lines::LineKindDescription& kind) {
-            return line_renderer::LineLook{
-                colored[kind.kind] ? QColor(kind.key_color) : parameters.line_color,
-                parameters.line_width * (kind.is_outline ? parameters.outline_width : 1)};
-        });
+    std::transform(laplacian_lines::line_kinds.begin(), laplacian_lines::line_kinds.end(),
+                   looks.begin(), [&](const laplacian_lines::LineKindDescription& kind) {
+                       return line_renderer::LineLook{
+                           colored[kind.kind] ? QColor(kind.key_color) : parameters.line_color,
+                           parameters.line_width * (kind.is_outline ? parameters.outline_width : 1),
+                           kind.is_outline ? share_within : 1};
+                   });
     return looks;
 }
 
@@ -111,8 +113,10 @@ const std::vector<Row>& decorationTable() {
         real<&Parameters::line_width>("line_width", "Line Width", 0.1, 64,
                                       "In pixels, where a line is strongest; it tapers where it "
                                       "fades out."),
-        real<&Parameters::outline_width>("contour_width_factor", "Outline Width", 0.1, 16,
-                                         "Of outlines and borders, in widths of the lines inside."),
+        real<&Parameters::outline_width>(
+            "contour_width_factor", "Outline Width", 0.1, 16,
+            "Of outlines, in widths of the lines inside. Contours before a "
+            "farther part of the surface have 0.7 of it."),
         lineColor(),
         choice<&Parameters::appearance, &line_renderer::LineAppearance::hidden>(
             "hidden_lines", "Hidden Lines", {"Not Drawn", "Faint", "Dashed"},
@@ -121,8 +125,7 @@ const std::vector<Row>& decorationTable() {
             "at_rest", "At Rest", {"Printed Drawing", "Live Lines"},
             "Once the view has not changed for a moment. Printed Drawing: as the filter Export "
             "Laplacian Lines Drawing draws it, with whole strokes and a pen of 0.25 mm as wide as "
-            "Line Width. Views of several layers, lines in several colors and faint hidden lines "
-            "stay live."),
+            "Line Width. Where a visible layer has no lines, or is points alone, they stay live."),
         kind_switch<LineKind::Contour, style, &LineStyle::shows>(),
         kind_switch<LineKind::Laplacian, style, &LineStyle::shows>(),
         kind_switch<LineKind::Ridge, style, &LineStyle::shows>(),

@@ -9,6 +9,7 @@
 #include "laplacian_lines/line_mixture.h"
 #include "laplacian_lines/line_style.h"
 #include "laplacian_lines/option_table.h"
+#include "line_drawing/sheet_options.h"
 #include "line_renderer/line_appearance.h"
 #include "meshlab_host/drawn_style.h"
 #include "meshlab_host/meshlab_api.h"
@@ -30,6 +31,15 @@ enum class AtRest { PrintedDrawing, LiveLines };
 
 /// From 1 on, lights turn with the camera: eight around the picture, clockwise.
 constexpr int at_the_eye = 0, from_the_upper_left = 1;
+
+/// Of a class of printed lines, in widths of lines inside: the same while the view turns.
+constexpr double pen(line_drawing::LineClass line_class) {
+    constexpr line_drawing::Pens pens = line_drawing::pensOf(line_drawing::Weights::Illustrator);
+    return pens[std::size_t(line_class)] / pens[std::size_t(line_drawing::LineClass::Inner)];
+}
+
+static_assert(pen(line_drawing::LineClass::Outline) ==
+              describe(laplacian_lines::LineKind::Contour).width);
 
 /// MeshLab's decoration parameters, which all views share.
 struct DecorationParameters {

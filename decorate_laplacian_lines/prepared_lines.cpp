@@ -17,7 +17,6 @@ namespace {
 
 /// What a scene takes once it has been printed, in memories of the extractor.
 constexpr std::size_t scene_share = 4;
-constexpr std::size_t most_triangles_printed = 10000000;
 
 class WaitCursor {
 public:
@@ -28,7 +27,7 @@ public:
 };
 
 std::size_t bytesOf(const PreparedLines& lines) {
-    std::size_t sum = lines.extractor->memory() * (lines.scene ? 1 + scene_share : 1) +
+    std::size_t sum = lines.extractor->memory() * (lines.printable ? 1 + scene_share : 1) +
                       line_renderer::bytesOf(*lines.surface);
     if (lines.field)
         for (const auto& column : laplacian_lines::present_columns(*lines.field))
@@ -52,13 +51,16 @@ PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
         result->diagonal = field.scale.diagonal;
         result->sight_edge = laplacian_lines::sight_edge(field);
         result->surface = line_renderer::makeSurface(triangles, field);
-        result->extractor.emplace(triangles, field);
+        result->extractor = std::make_shared<laplacian_lines::LineExtractor>(triangles, field);
         result->has_derivatives = field.has_derivatives();
         const bool is_in_mesh = source.status == meshlab_host::FieldStatus::Current;
         if (!is_in_mesh && !result->has_derivatives) result->field = std::move(field);
-        if (triangles.triangles.size() <= most_triangles_printed)
-            result->scene = std::make_shared<PrintedScene>(
-                std::move(triangles), is_in_mesh ? std::optional(std::move(field)) : std::nullopt);
+        if (triangles.triangles.size() <= PrintedScene::most_triangles) {
+            const double kernel = field.scale.kernel_size;
+            result->printable = std::make_shared<PrintableMesh>(PrintableMesh{
+                std::move(triangles), is_in_mesh ? std::optional(std::move(field)) : std::nullopt,
+                source.options, result->extractor, kernel});
+        }
         result->bytes = bytesOf(*result);
     } catch (const std::bad_alloc&) {
         result->failure = "There is not enough memory for the lines of this mesh.";

@@ -11,13 +11,14 @@
 #include "meshlab_host/field_source.h"
 
 class PrintedScene;
+struct PrintableMesh;
 
 /// A mesh ready for line extraction, or why it is not.
 struct PreparedLines {
     meshlab_host::FieldKey key;
     double diagonal = 0;    ///< of the usable mesh's bounding box, mesh units
     double sight_edge = 0;  ///< as sight_edge() has it, mesh units
-    std::optional<laplacian_lines::LineExtractor> extractor;
+    std::shared_ptr<laplacian_lines::LineExtractor> extractor;
     line_renderer::SurfacePointer surface;        ///< set if there is an extractor
     QString failure;                              ///< one sentence, empty if there is an extractor
     bool lacked_memory = false;                   ///< why it failed: another try may succeed
@@ -25,9 +26,10 @@ struct PreparedLines {
     bool has_derivatives = false;                 ///< for kinds of lines that need them
     QString lack;                                 ///< why it has none although they were asked for
     std::optional<laplacian_lines::Field> field;  ///< to compute them from, if it was computed
-    std::shared_ptr<PrintedScene> scene;  ///< for printed drawings; null if the mesh is too large
-    double preparation = 0;               ///< time it took, milliseconds
-    std::optional<double> first_redraw;   ///< the plugin's time of it, milliseconds
+    std::shared_ptr<PrintableMesh> printable;     ///< null if the mesh is too large
+    std::shared_ptr<PrintedScene> scene;          ///< the last one in which it comes first
+    double preparation = 0;                       ///< time it took, milliseconds
+    std::optional<double> first_redraw;           ///< the plugin's time of it, milliseconds
 };
 using PreparedLinesPointer = std::shared_ptr<PreparedLines>;
 

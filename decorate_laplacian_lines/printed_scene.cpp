@@ -2,31 +2,101 @@
 #include "printed_scene.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 
-#include "meshlab_host/camera.h"
 #include "meshlab_host/field_source.h"
 
 using laplacian_lines::Progress;
 
-PrintedScene::PrintedScene(laplacian_lines::TriangleMesh mesh,
-                           std::optional<laplacian_lines::Field> field)
-    : mesh_(std::move(mesh)), field_(std::move(field)) {}
+namespace {
 
-void PrintedScene::demandDerivatives(const Progress& progress) {
-    if (!field_ || field_->has_derivatives()) return;
-    painter_.reset();
-    meshlab_host::demandDerivatives(mesh_, *field_, progress);
+/// Of the paper, as the drawing filter has them.
+line_drawing::SheetOptions sheetOptions(const DecorationParameters& chosen) {
+    line_drawing::SheetOptions options;
+    options.style = line_drawing::styleOnPaper(chosen.style);
+    if (const auto azimuth = lightAzimuth(chosen))
+        options.light = meshlab_host::towardsLight(*azimuth);
+    if (chosen.appearance.hidden != line_renderer::HiddenLines::LeftOut)
+        options.hidden = line_drawing::HiddenLines::Dashed;
+    const double factor = chosen.outline_width / pen(line_drawing::LineClass::Outline);
+    for (const auto outline : {line_drawing::LineClass::Outline, line_drawing::LineClass::Contour})
+        options.pens[std::size_t(outline)] *= factor;
+    return options;
 }
 
-line_renderer::InkPicturePointer PrintedScene::paint(const line_drawing::WindowView& window,
-                                                     const line_drawing::SheetOptions& options,
-                                                     const Progress& progress) {
-    if (options.style.shows.needs_derivatives()) demandDerivatives(progress);
-    if (!painter_)
-        painter_.emplace(line_drawing::Objects{{mesh_, field_ ? &*field_ : nullptr, {}}});
-    line_drawing::GrayPicture picture = painter_->paint(window, options, progress);
-    return std::make_shared<line_renderer::InkPicture>(
-        line_renderer::InkPicture{picture.size, std::move(picture.grays)});
+}  // namespace
+
+std::vector<ColoredInk> inksOf(const DecorationParameters& chosen) {
+    std::vector<ColoredInk> inks;
+    for (const auto& kind : laplacian_lines::line_kinds) {
+        if (!chosen.style.shows[kind.kind]) continue;
+        const QColor& color = chosen.appearance.looks[std::size_t(kind.kind)].color;
+        auto own = std::find_if(inks.begin(), inks.end(),
+                                [&](const ColoredInk& ink) { return ink.color == color; });
+        if (own == inks.end()) own = inks.insert(own, {{{}, false}, color});
+        own->ink.kinds[kind.kind] = true;
+    }
+    // Outlines lie over others, hidden lines below.
+    std::stable_partition(inks.begin(), inks.end(), [](const ColoredInk& ink) {
+        return !ink.ink.kinds[laplacian_lines::LineKind::Contour];
+    });
+    if (chosen.appearance.hidden == line_renderer::HiddenLines::Faint) {
+        QColor faint = chosen.line_color;
+        faint.setAlphaF(line_renderer::faint_alpha);
+        inks.insert(inks.begin(), {{laplacian_lines::all_kinds(), true}, faint});
+    }
+    return inks;
+}
+
+PrintedScene::PrintedScene(std::vector<PlacedMesh> layers)
+    : layers_(std::move(layers)), to_world_(layers_.at(0).to_world) {
+    if (!meshlab_host::similarityOf(to_world_)) to_world_.setIdentity();
+}
+
+void PrintedScene::place(const Progress& progress) {
+    std::list<Placed> placed;
+    line_drawing::Objects objects;
+    for (const PlacedMesh& layer : layers_) {
+        const PrintableMesh& own = *layer.mesh;
+        if (layer.to_world == to_world_) {
+            objects.push_back(
+                {own.mesh, own.field ? &*own.field : nullptr, {}, own.extractor.get(), own.kernel});
+            continue;
+        }
+        placed.push_back({own.mesh, own.field});
+        meshlab_host::place(to_world_.inverse() * layer.to_world, own.options, placed.back().mesh,
+                            placed.back().field, progress);
+        objects.push_back(
+            {placed.back().mesh, placed.back().field ? &*placed.back().field : nullptr});
+    }
+    placed_ = std::move(placed);
+    objects_ = std::move(objects);
+}
+
+void PrintedScene::demandDerivatives(const Progress& progress) {
+    for (Placed& layer : placed_)
+        if (layer.field) meshlab_host::demandDerivatives(layer.mesh, *layer.field, progress);
+}
+
+void PrintedScene::prepare(const Progress& progress) {
+    if (objects_.empty()) place(progress);
+    if (!painter_) painter_.emplace(objects_);
+    painter_->prepare(progress);
+}
+
+PrintedScene::Picture PrintedScene::paint(const line_drawing::WindowView& window,
+                                          const DecorationParameters& chosen, bool may_wait,
+                                          const Progress& progress) {
+    prepare(progress);
+    if (chosen.style.shows.needs_derivatives()) demandDerivatives(progress);
+    std::vector<line_drawing::Ink> inks;
+    for (const ColoredInk& ink : inksOf(chosen))
+        inks.push_back(ink.ink);
+    line_drawing::PaintedView painted =
+        painter_->paint(window, sheetOptions(chosen), inks, may_wait, progress);
+    return {std::make_shared<line_renderer::InkPicture>(
+                line_renderer::InkPicture{painted.size, std::move(painted.inks)}),
+            painted.is_final};
 }
 
 std::optional<line_drawing::WindowView> windowOf(const Eigen::Matrix4d& to_eye,

@@ -1,33 +1,81 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <list>
 #include <optional>
 
-#include "laplacian_lines/field.h"
+#include "decoration_parameters.h"
+#include "laplacian_lines/line_extractor.h"
 #include "line_drawing/view_painter.h"
 #include "line_renderer/picture_renderer.h"
+#include "meshlab_host/placed_mesh.h"
 
-/// A mesh as the drawing filter would print it, with the field that the user has computed, if any.
-/// Grows with the first picture. One thread at a time.
+/// A layer as printed scenes take it.
+struct PrintableMesh {
+    laplacian_lines::TriangleMesh mesh;
+    std::optional<laplacian_lines::Field> field;  ///< that the user has computed
+    laplacian_lines::PrecomputeOptions options;   ///< of it
+    std::shared_ptr<const laplacian_lines::LineExtractor> extractor;  ///< as live lines have it
+    double kernel = 0;                                                ///< its √h, mesh units
+};
+
+struct PlacedMesh {
+    std::shared_ptr<PrintableMesh> mesh;
+    Eigen::Matrix4d to_world;
+
+    bool operator==(const PlacedMesh& other) const {
+        return mesh == other.mesh && to_world == other.to_world;
+    }
+};
+
+/// Kinds of lines in one color, or what is behind the surface.
+struct ColoredInk {
+    line_drawing::Ink ink;
+    QColor color;
+};
+std::vector<ColoredInk> inksOf(const DecorationParameters& chosen);
+
+/// Layers as the drawing filter would print them together. Grows with the first picture. One thread
+/// at a time.
 class PrintedScene {
 public:
-    PrintedScene(laplacian_lines::TriangleMesh mesh, std::optional<laplacian_lines::Field> field);
+    struct Picture {
+        line_renderer::InkPicturePointer picture;  ///< in the inks of inksOf()
+        bool is_final;                             ///< as line_drawing::PaintedView has it
+    };
 
+    static constexpr std::size_t most_triangles = 10000000;
+
+    explicit PrintedScene(std::vector<PlacedMesh> layers);
+
+    bool isOf(const std::vector<PlacedMesh>& layers) const { return layers_ == layers; }
+    /// From its own coordinates, in which a window looks at it.
+    const Eigen::Matrix4d& toWorld() const { return to_world_; }
+
+    /// What every view needs, unless that is done. @throws as paint()
+    void prepare(const laplacian_lines::Progress& progress);
     /// @throws as line_drawing::ViewPainter::paint()
-    line_renderer::InkPicturePointer paint(const line_drawing::WindowView& window,
-                                           const line_drawing::SheetOptions& options,
-                                           const laplacian_lines::Progress& progress);
+    Picture paint(const line_drawing::WindowView& window, const DecorationParameters& chosen,
+                  bool may_wait, const laplacian_lines::Progress& progress);
 
 private:
+    struct Placed {
+        laplacian_lines::TriangleMesh mesh;
+        std::optional<laplacian_lines::Field> field;
+    };
+
+    void place(const laplacian_lines::Progress& progress);
     void demandDerivatives(const laplacian_lines::Progress& progress);
 
-    const laplacian_lines::TriangleMesh mesh_;
-    std::optional<laplacian_lines::Field> field_;
+    const std::vector<PlacedMesh> layers_;
+    Eigen::Matrix4d to_world_;
+    std::list<Placed> placed_;  ///< copies of layers that stand elsewhere
+    line_drawing::Objects objects_;
     std::optional<line_drawing::ViewPainter> painter_;
 };
 
-/// The window of a layer, or none if lengths in it depend on the direction or left and right are
-/// exchanged. `pixels_per_mm` of paper.
+/// How a window sees a scene, or none if lengths in it depend on the direction. `pixels_per_mm` of
+/// paper.
 std::optional<line_drawing::WindowView> windowOf(const Eigen::Matrix4d& to_eye,
                                                  const Eigen::Matrix4d& projection,
                                                  const Eigen::Vector2i& size, double pixels_per_mm);

@@ -12,7 +12,9 @@
 
 namespace {
 
-constexpr int milliseconds_at_rest = 150;
+/// From the last change until a drawing is shown, and at least until it is begun.
+constexpr int milliseconds_at_rest = 150, milliseconds_idle = 50;
+constexpr int idle_changes = 2;  // that have not come since: while it moves, nothing is begun
 
 /// But for rounding: in floats, MeshLab computes that of a snapshot in another way.
 bool areEqual(const Eigen::Matrix4d& projection, const Eigen::Matrix4d& other) {
@@ -28,23 +30,20 @@ bool areEqual(const DecorationParameters& chosen, const DecorationParameters& ot
     });
 }
 
-line_drawing::SheetOptions sheetOptions(const DecorationParameters& chosen) {
-    line_drawing::SheetOptions options;
-    options.style = line_drawing::styleOnPaper(chosen.style);
-    if (const auto azimuth = lightAzimuth(chosen))
-        options.light = meshlab_host::towardsLight(*azimuth);
-    if (chosen.appearance.hidden == line_renderer::HiddenLines::Dashed)
-        options.hidden = line_drawing::HiddenLines::Dashed;
-    const double factor = chosen.outline_width / DecorationParameters().outline_width;
-    for (const auto outline : {line_drawing::LineClass::Outline, line_drawing::LineClass::Contour})
-        options.pens[std::size_t(outline)] *= factor;
-    return options;
+/// Whether pictures of both have the same lines in the same ink.
+bool haveSameInks(const DecorationParameters& chosen, const DecorationParameters& other) {
+    const std::vector<ColoredInk> inks = inksOf(chosen), others = inksOf(other);
+    return std::equal(inks.begin(), inks.end(), others.begin(), others.end(),
+                      [](const ColoredInk& a, const ColoredInk& b) {
+                          return a.ink.kinds == b.ink.kinds && a.ink.is_hidden == b.ink.is_hidden;
+                      });
 }
 
 }  // namespace
 
 bool PrintedView::operator==(const PrintedView& other) const {
-    return lines == other.lines && areEqual(chosen, other.chosen) && to_eye == other.to_eye &&
+    return scene == other.scene && areEqual(chosen, other.chosen) &&
+           haveSameInks(chosen, other.chosen) && to_eye == other.to_eye &&
            areEqual(projection, other.projection) && window.size == other.window.size &&
            window.pixels_per_mm == other.window.pixels_per_mm;
 }
@@ -65,24 +64,30 @@ PrintedViews::~PrintedViews() {
 }
 
 Print PrintedViews::demand(View view, QWidget* widget, const PrintedView& wanted, bool waits) {
-    Entry& entry = entries_[view];
+    const auto [place, is_new] = entries_.try_emplace(view);
+    Entry& entry = place->second;
     entry.widget = widget;
-    if (!(entry.wanted == wanted)) {
+    if (is_new || !(entry.wanted == wanted)) {
+        const qint64 pause = is_new ? 0 : idle_changes * entry.since_change.elapsed();
         entry.wanted = wanted;
+        entry.since_change.start();
         entry.print = {};
         entry.has_failed = false;
         if (running_ && running_->view == view) running_->is_given_up = true;
-        rest_.start(milliseconds_at_rest);
+        entry.is_at_rest = false;
+        rest_.start(int(std::clamp<qint64>(pause, milliseconds_idle, milliseconds_at_rest)));
     }
     if (waits && entry.isDue()) {
-        stop();
+        interrupt();
         Running now;
         now.view = view;
-        now.what = wanted;
+        now.what = entry.wanted;
+        now.may_wait = true;
         run(now);
         keep(now);
-        rest_.start(milliseconds_at_rest);  // for another view, whose drawing this has stopped
     }
+    entry.is_at_rest |= waits || entry.since_change.elapsed() >= milliseconds_at_rest;
+    if (!entry.is_at_rest) return {};
     Print print = entry.print;
     entry.print.lack.clear();
     return print;
@@ -93,13 +98,27 @@ void PrintedViews::forget(View view) {
     entries_.erase(view);
 }
 
+std::shared_ptr<PrintedScene> PrintedViews::sceneOf(View view) const {
+    const auto entry = entries_.find(view);
+    return entry == entries_.end() ? nullptr : entry->second.wanted.scene;
+}
+
+void PrintedViews::interrupt() {
+    stop();
+    rest_.start(milliseconds_at_rest);
+}
+
 void PrintedViews::run(Running& running) noexcept {
     QElapsedTimer clock;
     clock.start();
     try {
-        running.print.picture = running.what.lines->scene->paint(
-            running.what.window, sheetOptions(running.what.chosen),
-            [&](double, const char*) { return !running.is_given_up; });
+        PrintedScene& scene = *running.what.scene;
+        scene.prepare([&](double, const char*) { return !running.is_stopped; });
+        PrintedScene::Picture painted =
+            scene.paint(running.what.window, running.what.chosen, running.may_wait,
+                        [&](double, const char*) { return !running.is_given_up; });
+        running.print.picture = std::move(painted.picture);
+        running.print.is_final = painted.is_final;
         running.print.milliseconds = 1e-6 * double(clock.nsecsElapsed());
     } catch (const std::bad_alloc&) {
         running.print.lack = "There is not enough memory for the printed drawing.";
@@ -119,6 +138,7 @@ void PrintedViews::startNext() {
             auto next = std::make_unique<Running>();
             next->view = view;
             next->what = entry.wanted;
+            next->may_wait = entry.print.picture != nullptr;
             thread_ = std::thread([this, running = next.get()] {
                 run(*running);
                 running->is_over = true;
@@ -142,7 +162,7 @@ void PrintedViews::finish() {
 
 void PrintedViews::stop() {
     if (!running_) return;
-    running_->is_given_up = true;
+    running_->is_given_up = running_->is_stopped = true;
     thread_.join();
     running_.reset();
 }
@@ -151,8 +171,12 @@ void PrintedViews::keep(const Running& done) {
     const auto found = entries_.find(done.view);
     if (found == entries_.end() || !(found->second.wanted == done.what)) return;
     Entry& entry = found->second;
-    entry.print = done.print;
     entry.has_failed = !done.print.lack.isEmpty();
-    if (std::exchange(entry.told, done.print.lack) == done.print.lack) entry.print.lack.clear();
-    if ((entry.print.picture || entry.has_failed) && entry.widget) entry.widget->update();
+    if (done.print.picture) entry.print = done.print;
+    if (std::exchange(entry.told, done.print.lack) != done.print.lack)
+        entry.print.lack = done.print.lack;
+    if (!entry.widget || (!done.print.picture && !entry.has_failed)) return;
+    const qint64 left = milliseconds_at_rest - entry.since_change.elapsed();
+    QTimer::singleShot(int(std::max<qint64>(left, 0)), entry.widget,
+                       [widget = entry.widget.data()] { widget->update(); });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QElapsedTimer>
 #include <QPointer>
 #include <QTimer>
 #include <QWidget>
@@ -9,28 +10,28 @@
 #include <memory>
 #include <thread>
 
-#include "decoration_parameters.h"
-#include "prepared_lines.h"
 #include "printed_scene.h"
 
 /// What decides the picture of a view.
 struct PrintedView {
-    PreparedLinesPointer lines;  ///< with a scene
-    Eigen::Matrix4d to_eye, projection;
-    line_drawing::WindowView window;  ///< of these; its pen for inner lines is Line Width
+    std::shared_ptr<PrintedScene> scene;
+    Eigen::Matrix4d to_eye, projection;  ///< of the scene's coordinates
+    line_drawing::WindowView window;     ///< of these; its pen for inner lines is Line Width
     DecorationParameters chosen;
 
     bool operator==(const PrintedView& other) const;
 };
 
 struct Print {
-    line_renderer::InkPicturePointer picture;  ///< null: none
+    line_renderer::InkPicturePointer picture;  ///< in the inks of inksOf(); null: none
+    bool is_final = false;                     ///< another follows, of the right kernel, if not
     double milliseconds = 0;                   ///< that it took
     QString lack;                              ///< why there is none, when that is news
 };
 
-/// Views as they would be printed: each is drawn by a thread once it has not changed for a while.
-/// A change gives up its drawing at once. GUI thread only.
+/// Views as they would be printed: each is drawn by a thread once it has not changed for a while,
+/// at first with the lines that are at hand. A change gives up its drawing at once, but not what
+/// other views need as well. GUI thread only.
 class PrintedViews {
 public:
     using View = const void*;  ///< a name, never followed
@@ -45,21 +46,27 @@ public:
     /// yet, or cannot be.
     Print demand(View view, QWidget* widget, const PrintedView& wanted, bool waits);
     void forget(View view);
+    /// That is shown, if any.
+    std::shared_ptr<PrintedScene> sceneOf(View view) const;
+    /// What is under way ends, and begins anew when the view is at rest: scenes may be changed.
+    void interrupt();
 
 private:
     struct Entry {
         PrintedView wanted;
+        QElapsedTimer since_change;
         QPointer<QWidget> widget;
         Print print;
-        bool has_failed = false;
+        bool has_failed = false, is_at_rest = false;
         QString told;  ///< what the last one lacked
 
-        bool isDue() const { return !print.picture && !has_failed; }
+        bool isDue() const { return !print.is_final && !has_failed; }
     };
     struct Running {
         View view;
         PrintedView what;
-        std::atomic<bool> is_given_up{false}, is_over{false};
+        bool may_wait = false;  ///< for a field
+        std::atomic<bool> is_given_up{false}, is_stopped{false}, is_over{false};
         Print print;  ///< lacks nothing if it was given up
     };
 

@@ -4,6 +4,8 @@
 #include <QTimer>
 #include <algorithm>
 
+#include "printed_scene.h"
+
 using line_renderer::DepthTexture;
 using line_renderer::LinePlacement;
 using line_renderer::RedrawClock;
@@ -92,11 +94,14 @@ void ViewDrawing::draw(const LayerInView& layer, const laplacian_lines::LineSet&
     clock.count(RedrawClock::DrawCalls);
 }
 
-void ViewDrawing::draw(const LayerInView& layer, const line_renderer::InkPicturePointer& lines,
-                       const line_renderer::PicturePlace& place,
-                       const DecorationParameters& chosen) {
+void ViewDrawing::draw(const LayerInView& layer, const line_renderer::InkPicture& lines,
+                       const Eigen::Vector2i& corner, const DecorationParameters& chosen) {
     prepare(layer, false, chosen);
-    pictures_.paint(lines, chosen.line_color, place);
+    if (!layer.is_first) return;
+    std::vector<QColor> colors;
+    for (const ColoredInk& ink : inksOf(chosen))
+        colors.push_back(ink.color);
+    pictures_.paint(lines, colors, corner);
 }
 
 void ViewDrawing::forget(ViewLayers::View view) {

@@ -77,10 +77,11 @@ public:
     /// @throws std::runtime_error if OpenGL cannot do it
     void draw(const LayerInView& layer, const laplacian_lines::LineSet& lines,
               const DecorationParameters& chosen, line_renderer::RedrawClock& clock);
-    /// The same with lines that are a picture already.
+    /// The same where the lines of all layers are a picture already, in the inks of inksOf(), of
+    /// which the view shows what begins at `corner`.
     /// @throws std::runtime_error if OpenGL cannot do it
-    void draw(const LayerInView& layer, const line_renderer::InkPicturePointer& lines,
-              const line_renderer::PicturePlace& place, const DecorationParameters& chosen);
+    void draw(const LayerInView& layer, const line_renderer::InkPicture& lines,
+              const Eigen::Vector2i& corner, const DecorationParameters& chosen);
     /// The view is gone.
     void forget(ViewLayers::View view);
 

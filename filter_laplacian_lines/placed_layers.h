@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
 #include <QString>
 #include <optional>
 #include <vector>
@@ -9,15 +8,7 @@
 #include "laplacian_lines/field.h"
 #include "laplacian_lines/triangle_mesh.h"
 #include "line_drawing/object.h"
-#include "meshlab_host/camera.h"
 #include "meshlab_host/filter.h"
-
-/// Moves a layer's mesh into the world. Reflected faces keep their outside.
-/// @throws laplacian_lines::Error(InvalidOption) if the transformation is singular
-void place(const Eigen::Matrix4d& layer, laplacian_lines::TriangleMesh& mesh);
-
-/// Transforms a field and its lengths, but drops curvature derivatives, whose frames do not follow.
-void place(const meshlab_host::Similarity& similarity, laplacian_lines::Field& field);
 
 /// A copy in world coordinates: the layer may go while the progress bar runs the event loop.
 struct PlacedLayer {

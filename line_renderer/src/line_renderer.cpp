@@ -28,8 +28,7 @@ constexpr double edge_side = 0.7072;
 constexpr double edge_move = 4;
 constexpr double unlimited = 1e6;
 
-/// Hidden lines: alpha of faint ones; length of a dash and its period, pixels.
-constexpr double faint_alpha = 0.25;
+/// Hidden lines: length of a dash and its period, pixels.
 constexpr double dash_pixels = 5;
 constexpr double dash_period = 9;
 /// How many clearances behind the surface a hidden line has to be; otherwise pieces along outlines
@@ -58,6 +57,13 @@ void setColors(const ShaderProgram& program, const LineAppearance& appearance, d
             float(color.alphaF() * alpha);
     }
     program.set("colors", colors);
+}
+
+void setSharesWithin(const ShaderProgram& program, const LineAppearance& appearance) {
+    PerLook<float> shares;
+    for (std::size_t look = 0; look < shares.size(); ++look)
+        shares[look] = float(appearance.looks[look].share_within);
+    program.set("shares_within", shares);
 }
 
 void setDepthBiases(const ShaderProgram& program, const LinePlacement& placement, double factor) {
@@ -191,6 +197,7 @@ void LineRenderer::draw(const LineAppearance& appearance, const LinePlacement& p
     const LineRadii in_pixels = lineRadii(appearance, placement.pixel_scale);
     const GlState state;
     objects.program.use();
+    setSharesWithin(objects.program, appearance);
     setPlacement(objects.program, relativeTo(origin_, placement),
                  *std::max_element(in_pixels.full.begin(), in_pixels.full.end()));
     if (appearance.hidden != HiddenLines::LeftOut)

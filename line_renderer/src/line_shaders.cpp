@@ -33,6 +33,10 @@ uniform mat4 projection;
 uniform vec2 half_viewport;
 uniform vec4 colors[16];        // of the looks
 uniform float depth_biases[16];
+uniform float shares_within[16];  // of the radius, where there is a surface on both sides
+uniform sampler2D surface_depth;
+uniform vec2 texel;   // of surface_depth for a pixel
+uniform vec4 pixels;  // middles of the viewport's first and last pixel
 uniform float to_side;     // pixels
 uniform vec2 edge_reach;  // of what follows edges: greatest move and to the side, pixels
 uniform float mark_reach;  // diameter of the largest ball times pixels to its horizon
@@ -94,6 +98,23 @@ vec2 cutBetween(vec2 direction, vec2 other)
     return is_cut ? direction + other / pixels : vec2(0.0);
 }
 
+// Of the surface beside a line, `across` from its middle.
+float depthBeside(vec2 screen, vec2 across)
+{
+    vec2 pixel = screen + across + half_viewport + pixels.xy - 0.5;
+    return texture2DLod(surface_depth, clamp(pixel, pixels.xy, pixels.zw) * texel, 0.0).r;
+}
+
+// An outline has nothing on one side of it.
+float radiusAt(vec2 screen, vec2 across, float radius, float share_within)
+{
+    if (share_within == 1.0)
+        return radius;
+    vec2 beside = (radius + 3.0) * across;
+    bool is_outline = max(depthBeside(screen, beside), depthBeside(screen, -beside)) == 1.0;
+    return is_outline ? radius : share_within * radius;
+}
+
 bool isPoint(vec4 neighbour)
 {
     return neighbour.w >= 0.0 || neighbour.w < nothing_here;
@@ -128,8 +149,8 @@ void main()
     vec2 screen_a = toScreen(visible_a);
     vec2 screen_b = toScreen(visible_b);
     vec2 direction = screen_b - screen_a;
-    float pixels = length(direction);
-    direction = pixels > 1e-4 ? direction / pixels : vec2(1.0, 0.0);
+    float extent = length(direction);
+    direction = extent > 1e-4 ? direction / extent : vec2(1.0, 0.0);
     vec2 across = vec2(-direction.y, direction.x);
 
     vec4 p = toEye(before);
@@ -141,11 +162,12 @@ void main()
     if (isPoint(after) && b_front > 0.0 && beforeNear(n) > 0.0)
         end_cut = cutBetween(direction, toScreen(n) - screen_b);
 
-    vec2 radii = vec2(start.w, end.w);
+    vec2 radii = vec2(radiusAt(screen_a, across, start.w, shares_within[look]),
+                      radiusAt(screen_b, across, end.w, shares_within[look]));
     float reach = max(radii.x, radii.y) + 0.55;  // half a pixel beyond it, coverage is 0
-    place = vec2(corner.x * pixels + (2.0 * corner.x - 1.0) * reach, corner.y * reach);
+    place = vec2(corner.x * extent + (2.0 * corner.x - 1.0) * reach, corner.y * reach);
     bool is_edge = mark > 0.125;
-    shape = vec4(pixels, radii, is_edge ? edge_reach.y : to_side);
+    shape = vec4(extent, radii, is_edge ? edge_reach.y : to_side);
     cuts = vec4(dot(start_cut, direction), dot(start_cut, across),
                 dot(end_cut, direction), dot(end_cut, across));
     vec2 screen = screen_a + direction * place.x + across * place.y;

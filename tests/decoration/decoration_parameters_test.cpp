@@ -64,6 +64,7 @@ TEST(DecorationParameters, AreTheDefaultsWhenNothingIsSet) {
         const line_renderer::LineLook& look = read.appearance.looks[std::size_t(kind.kind)];
         EXPECT_EQ(look.color, QColor(Qt::black));
         EXPECT_DOUBLE_EQ(look.width, line_renderer::usual_line_width * kind.width);
+        EXPECT_DOUBLE_EQ(look.share_within, kind.is_outline ? 0.7 : 1);
         EXPECT_EQ(read.style.shows[kind.kind], kind.shown) << kind.key;
     }
     EXPECT_EQ(read.surface, SurfaceLook::AsMeshLabDrawsIt);

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "event_loop.h"
+#include "prepared_lines.h"
 #include "wavy_sheet.h"
 
 namespace {
@@ -16,17 +17,27 @@ class PrintedViewsTest : public testing::Test {
 protected:
     PrintedViewsTest() {
         makeSheet(mesh_, 100);
-        lines_ =
+        scene_ = sceneOf({Eigen::Matrix4d::Identity()});
+    }
+
+    /// The sheet, as often as there are transformations.
+    std::shared_ptr<PrintedScene> sceneOf(const std::vector<Eigen::Matrix4d>& transforms) const {
+        const PreparedLinesPointer lines =
             prepareLines(mesh_, "sheet", meshlab_host::fieldSource(mesh_), [](const QString&) {});
+        std::vector<PlacedMesh> layers;
+        for (const Eigen::Matrix4d& transform : transforms)
+            layers.push_back({lines->printable, transform});
+        return std::make_shared<PrintedScene>(layers);
     }
 
     /// From the front, turned by some degrees.
-    PrintedView turned(double degrees) const {
+    PrintedView turned(double degrees) const { return turned(degrees, scene_); }
+    static PrintedView turned(double degrees, const std::shared_ptr<PrintedScene>& scene) {
         Eigen::Affine3d to_eye(
             Eigen::AngleAxisd(degrees * std::acos(-1) / 180, Eigen::Vector3d::UnitY()));
         to_eye.translate(Eigen::Vector3d(-0.5, -0.5, 0));
         const Eigen::Matrix4d projection = Eigen::Vector4d(1.5, 1.5, -0.1, 1).asDiagonal();
-        PrintedView view{lines_, to_eye.matrix(), projection, {}, {}};
+        PrintedView view{scene, to_eye.matrix() * scene->toWorld(), projection, {}, {}};
         view.window = *windowOf(view.to_eye, projection, {400, 400}, pixels_per_mm);
         return view;
     }
@@ -37,16 +48,19 @@ protected:
     line_renderer::InkPicturePointer waitFor(const PrintedView& view) {
         QElapsedTimer clock;
         clock.start();
-        while (!demand(view).picture && clock.elapsed() < 60000)
+        while (!demand(view).is_final && clock.elapsed() < 60000)
             wait(5);
         return demand(view).picture;
     }
+    static int inkOf(const std::vector<std::uint8_t>& grays) {
+        return int(std::count_if(grays.begin(), grays.end(), [](int gray) { return gray < 128; }));
+    }
     static int inked(const line_renderer::InkPicturePointer& picture) {
-        return int(std::count(picture->grays.begin(), picture->grays.end(), 0));
+        return inkOf(picture->inks.at(0));
     }
 
     CMeshO mesh_;
-    PreparedLinesPointer lines_;
+    std::shared_ptr<PrintedScene> scene_;
     CountingWidget widget_;
     std::unique_ptr<PrintedViews> prints_ = std::make_unique<PrintedViews>();
 };
@@ -72,7 +86,7 @@ TEST_F(PrintedViewsTest, ComeOnceTheViewIsAtRestAndHaveItRedrawn) {
     wait(50);
     EXPECT_GT(widget_.redraws(), before);
     prints_ = std::make_unique<PrintedViews>();
-    EXPECT_EQ(demand(turned(30), true).picture->grays, picture->grays);
+    EXPECT_EQ(demand(turned(30), true).picture->inks, picture->inks);
 }
 
 TEST_F(PrintedViewsTest, StayForASnapshotOfOneTile) {
@@ -123,6 +137,47 @@ TEST_F(PrintedViewsTest, SayOnceWhatTheyLack) {
     wait(1000);
     EXPECT_GT(widget_.redraws(), before) << "so that it can be told";
     EXPECT_FALSE(demand(inside).lack.isEmpty());
+}
+
+TEST_F(PrintedViewsTest, AreOfLayersHoweverTheyStand) {
+    const Eigen::Matrix4d mirrored = Eigen::Vector4d(-2, 1, 1, 1).asDiagonal();
+    const auto placed = demand(turned(20, sceneOf({mirrored})), true).picture;
+    for (auto& vertex : mesh_.vert)
+        vertex.P().X() *= -2;
+    for (auto& face : mesh_.face)
+        std::swap(face.V(1), face.V(2));
+    const auto frozen = demand(turned(20, sceneOf({Eigen::Matrix4d::Identity()})), true).picture;
+    EXPECT_GT(inked(frozen), 400);
+    EXPECT_EQ(placed->inks, frozen->inks);
+}
+
+TEST_F(PrintedViewsTest, AreOfAllLayersWhichHideEachOther) {
+    const Eigen::Matrix4d here = Eigen::Matrix4d::Identity();
+    Eigen::Matrix4d before = here, beside = here;
+    before(2, 3) = 0.5;
+    beside(1, 3) = 1;
+    const int one = inked(demand(turned(0, sceneOf({before})), true).picture),
+              hidden = inked(demand(turned(0, sceneOf({here, before})), true).picture),
+              two = inked(demand(turned(0, sceneOf({here, beside})), true).picture);
+    EXPECT_NEAR(hidden, one, 0.02 * one);
+    EXPECT_GT(two, 1.1 * one) << "as far as the window shows it";
+}
+
+TEST_F(PrintedViewsTest, HaveAnInkForEachColor) {
+    PrintedView view = turned(60);
+    const int all = inked(demand(view, true).picture);
+    auto& appearance = view.chosen.appearance;
+    appearance.looks.fill({Qt::black});
+    appearance.looks[std::size_t(laplacian_lines::LineKind::Border)].color = Qt::blue;
+    appearance.hidden = line_renderer::HiddenLines::Faint;
+    const auto inks = demand(view, true).picture->inks;
+    ASSERT_EQ(inks.size(), inksOf(view.chosen).size());
+    ASSERT_EQ(inks.size(), 3u);
+    const int hidden = inkOf(inks[0]), blue = inkOf(inks[1]), black = inkOf(inks[2]);
+    EXPECT_GT(std::min({hidden, blue, black}), 20) << hidden << ' ' << blue << ' ' << black;
+    EXPECT_NEAR(blue + black, all, 0.1 * all);
+    view.chosen.appearance.looks[std::size_t(laplacian_lines::LineKind::Border)].color = Qt::red;
+    EXPECT_TRUE(demand(view).is_final) << "the same in another color";
 }
 
 TEST(WindowOf, IsNoneWhereLengthsDependOnTheDirection) {

@@ -8,6 +8,8 @@
 #include <QRect>
 
 #include "laplacian_lines/error.h"
+#include "laplacian_lines/line_extractor.h"
+#include "laplacian_lines/precompute.h"
 #include "line_drawing/sheet_file.h"
 #include "made_sheets.h"
 
@@ -38,8 +40,12 @@ WindowView windowOf(const ViewFrame& frame, double width, double distance,
     return {frame, projection * to_eye, {side, side}, pixels_per_mm};
 }
 
-QImage imageOf(const GrayPicture& picture) {
-    return QImage(picture.grays.data(), picture.size.x(), picture.size.y(), picture.size.x(),
+PaintedView painted(ViewPainter& painter, const WindowView& view, const SheetOptions& options) {
+    return painter.paint(view, options, {Ink()}, true);
+}
+
+QImage imageOf(const PaintedView& picture) {
+    return QImage(picture.inks.at(0).data(), picture.size.x(), picture.size.y(), picture.size.x(),
                   QImage::Format_Grayscale8)
         .copy();
 }
@@ -104,7 +110,7 @@ TEST(ViewPainter, PaintsWhatIsPrinted) {
     ViewPainter painter({{mesh}});
     const WindowView window =
         windowOf(options.views[0], side / pixels_per_mm, 0, boundsOf(mesh).center());
-    expectEqual(imageOf(painter.paint(window, options)), sheet);
+    expectEqual(imageOf(painted(painter, window, options)), sheet);
 }
 
 TEST(ViewPainter, PaintsWhatIsPrintedInPerspective) {
@@ -119,9 +125,9 @@ TEST(ViewPainter, PaintsWhatIsPrintedInPerspective) {
         return inkOf(image).width() - options.pens[std::size_t(LineClass::Outline)] * pixels_per_mm;
     };
     WindowView window = windowOf(frame, size, 1.5 * size);
-    const double drawn = widthOf(imageOf(painter.paint(window, options)));
+    const double drawn = widthOf(imageOf(painted(painter, window, options)));
     window = windowOf(frame, size * drawn / widthOf(sheet), 1.5 * size);  // as large as on paper
-    expectEqual(imageOf(painter.paint(window, options)), sheet);
+    expectEqual(imageOf(painted(painter, window, options)), sheet);
 }
 
 TEST(ViewPainter, GivesUpAtOnceAndGoesOnLater) {
@@ -133,13 +139,38 @@ TEST(ViewPainter, GivesUpAtOnceAndGoesOnLater) {
     for (Eigen::Vector3d& p : beside.positions)
         p.x() += 2 * boundsOf(mesh).sizes().x();
     const Objects objects = {{mesh}, {beside}};
-    const GrayPicture whole = ViewPainter(objects).paint(window, options);
+    ViewPainter painter(objects);
+    const PaintedView whole = painted(painter, window, options);
     for (const double end : {0.0, 0.2, 0.5, 0.6, 0.8}) {
         ViewPainter other(objects);
         const auto until = [=](double done, const char*) { return done < end; };
-        EXPECT_THROW(other.paint(window, options, until), laplacian_lines::Error) << end;
-        EXPECT_EQ(other.paint(window, options).grays, whole.grays) << end;
+        EXPECT_THROW(other.paint(window, options, {Ink()}, true, until), laplacian_lines::Error)
+            << end;
+        EXPECT_EQ(painted(other, window, options).inks, whole.inks) << end;
     }
+}
+
+/// Whoever cannot wait gets lines of another kernel, until those of the view are there.
+TEST(ViewPainter, PaintsWhatIsAtHand) {
+    const laplacian_lines::TriangleMesh mesh = vessel();
+    const laplacian_lines::Field field = laplacian_lines::precompute(mesh);
+    const laplacian_lines::LineExtractor extractor(mesh, field);
+    SheetOptions options = plain("20,30");
+    options.scale = 1;
+    ViewPainter painter({{mesh, nullptr, {}, &extractor, field.scale.kernel_size}});
+    const WindowView window =
+        windowOf(options.views[0], side / pixels_per_mm, 0, boundsOf(mesh).center());
+    const auto paint = [&](bool may_wait) {
+        return painter.paint(window, options, {Ink()}, may_wait);
+    };
+    const PaintedView first = paint(false), second = paint(true), third = paint(false);
+    EXPECT_FALSE(first.is_final);
+    EXPECT_GT(shareIn(imageOf(second), imageOf(first)), 0.8);
+    EXPECT_TRUE(second.is_final);
+    EXPECT_TRUE(third.is_final);
+    EXPECT_EQ(third.inks, second.inks);
+    ViewPainter other({{mesh}});
+    EXPECT_EQ(painted(other, window, options).inks, second.inks);
 }
 
 TEST(ViewPainter, RefusesAnEyeInsideTheSurface) {
@@ -147,7 +178,8 @@ TEST(ViewPainter, RefusesAnEyeInsideTheSurface) {
     SheetOptions options = plain("front");
     options.views[0].eye = Eigen::Vector3d(0, 0, 0);
     ViewPainter painter({{mesh}});
-    EXPECT_THROW(painter.paint(windowOf(options.views[0], 1, 1), options), laplacian_lines::Error);
+    EXPECT_THROW(painted(painter, windowOf(options.views[0], 1, 1), options),
+                 laplacian_lines::Error);
 }
 
 }  // namespace

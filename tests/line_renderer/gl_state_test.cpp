@@ -3,6 +3,7 @@
 #include <map>
 
 #include "gl_test.h"
+#include "line_renderer/picture_renderer.h"
 #include "line_renderer/surface_renderer.h"
 
 namespace {
@@ -37,6 +38,8 @@ void makeStateUnusual() {
     glColorMask(GL_TRUE, GL_FALSE, GL_TRUE, GL_TRUE);
     glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
     glCullFace(GL_FRONT);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 7);
+    glPixelStorei(GL_UNPACK_SKIP_ROWS, 3);
     glMatrixMode(GL_TEXTURE);
     GLuint texture = 0;
     glGenTextures(1, &texture);
@@ -74,7 +77,8 @@ State currentState() {
         {GL_PROJECTION_STACK_DEPTH, GL_ATTRIB_STACK_DEPTH, GL_CLIENT_ATTRIB_STACK_DEPTH},
         {GL_CURRENT_PROGRAM, GL_ACTIVE_TEXTURE, GL_CLIENT_ACTIVE_TEXTURE, GL_TEXTURE_BINDING_2D},
         {GL_DRAW_BUFFER, GL_DRAW_FRAMEBUFFER_BINDING, GL_READ_FRAMEBUFFER_BINDING},
-        {GL_PACK_ALIGNMENT, GL_UNPACK_ALIGNMENT}};
+        {GL_PACK_ALIGNMENT, GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_PIXELS},
+        {GL_UNPACK_SKIP_ROWS}};
     for (const Names& names : values)
         for (GLenum name : names) {
             state[name].resize(16);  // of one number, or as many as a matrix has
@@ -129,6 +133,10 @@ protected:
             depth_.copy();
             depth_.update({layerOf(surface)}, buffers_);
         });
+        const line_renderer::InkPicture picture = {
+            {Canvas::width + 5, Canvas::height + 7},
+            {std::vector<std::uint8_t>((Canvas::width + 5) * (Canvas::height + 7))}};
+        expectSameState("picture", [&] { pictures_.paint(picture, {Qt::black}, {5, 7}); });
         for (HiddenLines hidden : {HiddenLines::LeftOut, HiddenLines::Faint, HiddenLines::Dashed}) {
             line_renderer::LineAppearance appearance = blackLines(3);
             appearance.hidden = hidden;
@@ -138,6 +146,7 @@ protected:
 
     line_renderer::SurfaceRenderer surfaces_;
     line_renderer::SurfaceBuffers buffers_;
+    line_renderer::PictureRenderer pictures_;
 };
 
 TEST_F(GlStateTest, IsAsItWas) {

@@ -50,6 +50,13 @@ grab ring.png
 show-layer 0
 sleep 200
 grab both_again.png
+setdeco At Rest = 0
+wait-for-drawings
+grab both_printed.png
+setdeco Hidden Lines = 1
+grab both_faint.png
+setdeco Hidden Lines = 0
+setdeco At Rest = 1
 select-layer 1
 {moved("X Scale = 0")}expect-log Laplacian Lines: ring.*: The layer's transformation cannot be inverted
 {moved("X Scale = 1")}
@@ -90,4 +97,7 @@ for name in ("reloaded", "torus_again", "torus_whole", "torus_left"):
 expect(red_pixels("torus_before.png") < red_pixels("both.png"), "the second layer has no lines")
 expect_other_picture("both.png", "ring.png", 1000)
 expect_same_picture("both.png", "both_again.png")
+expect_other_picture("both_printed.png", "both.png")
+expect(red_pixels("both_printed.png") > red_pixels("torus_before.png"), "one layer alone is printed")
+expect_other_picture("both_printed.png", "both_faint.png")
 expect(red_pixels("nothing.png") == 0, "there are lines without faces")

@@ -59,6 +59,7 @@ grab again.png
 snapshot snapshot.png 1
 snapshot tiles.png 2
 setdeco At Rest = 0
+snapshot early_snapshot.png 1
 sleep 4000
 grab printed.png
 snapshot printed_snapshot.png 1
@@ -109,6 +110,7 @@ expect_same_picture("AtRest1.png", "lines.png")
 expect_other_picture("AtRest0.png", "lines.png")
 expect_same_picture("AtRest0.png", "printed.png")
 expect_same_picture("printed_snapshot.png", "printed.png")
+expect_same_picture("early_snapshot.png", "printed.png")
 expect(red_pixels("second_plain.png") == 0, "a new view has lines before they are switched on")
 for mode in MODES:
     expect_same_picture(f"{mode}_plain.png", f"{mode}_after.png")

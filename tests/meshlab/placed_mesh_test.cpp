@@ -12,11 +12,13 @@
 #include "laplacian_lines/precompute.h"
 #include "meshlab_host/field_attributes.h"
 #include "meshlab_host/mesh_conversion.h"
+#include "meshlab_host/placed_mesh.h"
 
 namespace {
 
 using laplacian_lines::Field;
 using laplacian_lines::TriangleMesh;
+using meshlab_host::place;
 
 Eigen::Matrix4d moved(const Eigen::Matrix3d& linear) {
     Eigen::Matrix4d layer = Eigen::Matrix4d::Identity();

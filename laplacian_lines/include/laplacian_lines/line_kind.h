@@ -52,7 +52,7 @@ struct LineKindDescription {
     constexpr LineKindDescription as_outline() const {
         LineKindDescription row = *this;
         row.is_outline = true;
-        row.width = 1.3;
+        row.width = 2;
         return row;
     }
     constexpr LineKindDescription of_view() const {

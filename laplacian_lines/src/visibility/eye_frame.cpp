@@ -46,7 +46,7 @@ Vector3d EyeFrame::place(const Vector3d& local) const {
 }
 
 bool is_before_eye(const SightMesh& mesh, const EyeFrame& frame) {
-    return !frame.has_perspective() ||
+    return !frame.has_perspective() || frame.depth(Vector3d::Zero()) > kMeshReach + kLeastDepth ||
            std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
                return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
                    return frame.depth(mesh.positions[v]) > kLeastDepth;

@@ -158,7 +158,8 @@ LineVisibility::LineVisibility(LineVisibility&&) noexcept = default;
 LineVisibility& LineVisibility::operator=(LineVisibility&&) noexcept = default;
 
 bool LineVisibility::encloses(const Eigen::Vector3d& point) const {
-    return winding_number(data_->turned(), data_->mesh.local(point)) > 0.5;
+    const Eigen::Vector3d local = data_->mesh.local(point);
+    return local.norm() <= kMeshReach && winding_number(data_->turned(), local) > 0.5;
 }
 
 std::vector<SightLine> LineVisibility::look(const View& view, const std::vector<LineSet>& lines,

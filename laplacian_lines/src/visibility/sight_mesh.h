@@ -11,6 +11,9 @@
 
 namespace laplacian_lines {
 
+/// How far from the middle of its box a mesh reaches at most, local.
+constexpr double kMeshReach = 0.5;
+
 /// A surface with all its edges, of any topology and winding: vertices at one place are one,
 /// triangles without height are gone, and edges are cut at vertices that lie on them, so that
 /// surfaces which touch share edges. Triangles that run through each other share an edge, too,

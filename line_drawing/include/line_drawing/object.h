@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "laplacian_lines/field.h"
+#include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/triangle_mesh.h"
 
 namespace line_drawing {
@@ -16,6 +17,10 @@ struct Object {
     const laplacian_lines::TriangleMesh& mesh;
     const laplacian_lines::Field* field = nullptr;
     std::string name = {};  ///< for messages
+    /// Of the field, or without one, of a field whose kernel has this √h, mesh units: for drawings
+    /// that may not take long. May be null.
+    const laplacian_lines::LineExtractor* extractor = nullptr;
+    double extractor_kernel = 0;
 };
 using Objects = std::vector<Object>;
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "laplacian_lines/error.h"
 #include "laplacian_lines/progress.h"
 
 namespace line_drawing {
@@ -17,6 +18,13 @@ inline laplacian_lines::Progress part(const laplacian_lines::Progress& progress,
     return [=](double done, const char* stage) {
         return progress((1 - done) * begin + done * end, stage);
     };
+}
+
+/// @throws laplacian_lines::Error(Cancelled)
+inline void report(const laplacian_lines::Progress& progress, double done, const char* stage) {
+    if (progress && !progress(done, stage))
+        laplacian_lines::refuse("Cancelled; the mesh was not changed.",
+                                laplacian_lines::ErrorCode::Cancelled);
 }
 
 /// Progress of equal works on several threads, reported only by the thread that made it, since

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_drawing/view_painter.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "options/progress_part.h"
 #include "pixels/painting.h"
 #include "sheet/sheet_layout.h"
@@ -14,6 +17,8 @@ using laplacian_lines::Progress;
 
 // Progress at which what hides lines and the lines within faces are ready.
 constexpr double sight_share = 0.3, lines_share = 0.7;
+constexpr double room_around = 12;                               // mm
+constexpr std::size_t most_kept_bytes = std::size_t(128) << 20;  // of extractors for other kernels
 
 /// In pixels, x right, y down.
 Eigen::Vector2d pixelOf(const Eigen::Vector3d& point, const WindowView& view) {
@@ -39,10 +44,39 @@ Placement placementOf(const WindowView& view, const Eigen::Vector3d& middle, dou
     return {scale, on_paper - scale * Eigen::Vector2d(a.x(), -a.y())};
 }
 
+/// Whether a line reaches the window, or is so near that lines in it may join it.
+bool isNear(const DrawnLine& line, const Placement& placement, const WindowView& window) {
+    const Eigen::Vector2d size = window.size.cast<double>() / window.pixels_per_mm,
+                          room = Eigen::Vector2d::Constant(room_around);
+    Eigen::AlignedBox2d box;
+    for (const DrawnPoint& point : line.points)
+        box.extend(placement.onSheet(point.position));
+    return Eigen::AlignedBox2d(-room, size + room).intersects(box);
+}
+
+bool isOf(const DrawnLine& line, const Ink& ink, bool hidden_apart) {
+    const bool is_apart = hidden_apart && line.line_class == LineClass::Hidden;
+    return ink.kinds[line.kind] && is_apart == ink.is_hidden;
+}
+
+/// Of a view, with the lines of one ink.
+std::vector<std::uint8_t> paintInk(const DrawnView& drawn, const Placement& placement,
+                                   const SheetOptions& options, const WindowView& window,
+                                   bool is_hidden, const Progress& progress) {
+    report(progress, 1, "Drawing");
+    SheetGroup group = drawView(drawn, 1, placement, options);
+    for (SheetLayer& layer : group.layers)
+        for (SheetPath& path : layer.paths)
+            if (is_hidden) path.dash = 0;
+    report(progress, 1, "Painting");
+    return paintGroups({std::move(group)}, window.size, window.pixels_per_mm).grays();
+}
+
 }  // namespace
 
 struct ViewPainter::Data {
-    explicit Data(Objects all) : objects(std::move(all)), observer(objects), lines(objects) {}
+    explicit Data(Objects all)
+        : objects(std::move(all)), observer(objects), lines(objects, most_kept_bytes) {}
 
     const Objects objects;
     Observer observer;
@@ -54,22 +88,40 @@ ViewPainter::ViewPainter(Objects objects) : data_(std::make_unique<Data>(std::mo
 
 ViewPainter::~ViewPainter() = default;
 
-GrayPicture ViewPainter::paint(const WindowView& view, SheetOptions options,
+void ViewPainter::prepare(const Progress& progress) {
+    if (!data_->is_ready) data_->observer.prepare({{}}, progress);
+    data_->is_ready = true;
+}
+
+PaintedView ViewPainter::paint(const WindowView& view, SheetOptions options,
+                               const std::vector<Ink>& inks, bool may_wait,
                                const Progress& progress) {
     Observer& observer = data_->observer;
-    if (!data_->is_ready) observer.prepare({options}, part(progress, 0, sight_share));
-    data_->is_ready = true;
+    prepare(part(progress, 0, sight_share));
     DrawnView drawn = observer.stand(view.frame, options);
     const Placement placement =
         placementOf(view, observer.middle(), options.mm_per_unit, observer.objectSize().norm());
     options.pens = pensFor(placement.onSheet(drawn.bounds).sizes().maxCoeff(), options.pens);
-    data_->lines.makeReady(options, placement.scale, part(progress, sight_share, lines_share));
+    PaintedView painted{view.size};
+    painted.is_final =
+        data_->lines.makeReady(options, placement.scale, may_wait ? Kernel::Exact : Kernel::AtHand,
+                               part(progress, sight_share, lines_share));
     options.kernel = {data_->lines.kernelSize() * options.mm_per_unit * placement.scale, false};
+    report(progress, lines_share, "Finding lines");
     const auto lines = data_->lines.extract(observer.viewOf(drawn, options), options.style);
     observer.look(drawn, lines, options, part(progress, lines_share, 1));
-    Canvas canvas =
-        paintGroups({drawView(drawn, 1, placement, options)}, view.size, view.pixels_per_mm);
-    return {view.size, std::move(canvas).grays()};
+    std::vector<DrawnLine> all;
+    for (DrawnLine& line : drawn.lines)
+        if (isNear(line, placement, view)) all.push_back(std::move(line));
+    const bool hidden_apart =
+        std::any_of(inks.begin(), inks.end(), [](const Ink& ink) { return ink.is_hidden; });
+    for (const Ink& ink : inks) {
+        drawn.lines.clear();
+        std::copy_if(all.begin(), all.end(), std::back_inserter(drawn.lines),
+                     [&](const DrawnLine& line) { return isOf(line, ink, hidden_apart); });
+        painted.inks.push_back(paintInk(drawn, placement, options, view, ink.is_hidden, progress));
+    }
+    return painted;
 }
 
 }  // namespace line_drawing

@@ -98,7 +98,7 @@ void findLines(const Observer& observer, ObjectLines& lines, Draft& draft,
     SheetOptions& options = draft.options;
     if (options.views.empty()) return;  // sections have their lines
     const double scale = draft.layout.placements[0].scale;
-    lines.makeReady(options, scale, progress);
+    lines.makeReady(options, scale, Kernel::Exact, progress);
     draft.remarks = lines.remarks();
     const bool is_given = options.kernel.size > 0,
                is_detail = lines.kernelSize() <= largest_kernel * observer.objectSize().norm();
@@ -129,9 +129,7 @@ std::vector<double> look(const Observer& observer, Draft& draft, const Progress&
             laplacian_lines::in_parallel(2, [&](std::size_t is_check) {
                 if (is_check ? i > 0 : i < count) is_check ? check(i - 1) : look_at(i);
             });
-    if (progress && !progress(1, "Finding what is seen"))
-        laplacian_lines::refuse("Cancelled; the mesh was not changed.",
-                                laplacian_lines::ErrorCode::Cancelled);
+    report(progress, 1, "Finding what is seen");
     return missing;
 }
 

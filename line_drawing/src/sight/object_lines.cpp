@@ -62,42 +62,110 @@ Field computeField(const Object& object, PrecomputeOptions wanted, const SheetOp
 
 }  // namespace
 
-void ObjectLines::makeReady(const SheetOptions& options, double scale, const Progress& progress) {
+ObjectLines::Extractor ObjectLines::atHand(const Object& object) {
+    const std::shared_ptr<void> nobodys;
+    return {{nobodys, object.extractor}, object.extractor_kernel, object.field != nullptr};
+}
+
+std::size_t ObjectLines::bytesOf(const Extractors& kept) {
+    std::size_t sum = 0;
+    for (const Extractor& own : kept.extractors)
+        if (own.extractor.use_count() > 0) sum += own.extractor->memory();  // not if at hand
+    return sum;
+}
+
+double ObjectLines::distance(const Extractors& kept, const PrecomputeOptions& wanted) {
+    if (kept.made.curvature_derivatives < wanted.curvature_derivatives) return INFINITY;
+    const double asked = kept.made.drawn_kernel_size, now = wanted.drawn_kernel_size;
+    const auto is_same = [&](double kernel) {
+        // Beyond the limits of kernels all have the same.
+        const double least = asked < (1 - same_kernel) * kernel ? 0 : asked,
+                     most = asked > (1 + same_kernel) * kernel ? INFINITY : asked;
+        return (1 - same_kernel) * least <= now &&
+               now <= (1 + same_kernel) * std::max(most, kernel);
+    };
+    double largest = 0;
+    for (const Extractor& own : kept.extractors)
+        if (!own.is_given && !(kept.is_exact && is_same(own.kernel)))
+            largest = std::max({1., largest, own.kernel / now, now / own.kernel});
+    return largest;
+}
+
+ObjectLines::ObjectLines(const Objects& objects, std::size_t most_bytes)
+    : objects_(objects), most_bytes_(most_bytes) {
+    Extractors ready{{}, false, {}, {}};
+    ready.made.curvature_derivatives = true;
+    for (const Object& object : objects) {
+        if (!object.extractor) return;
+        ready.extractors.push_back(atHand(object));
+    }
+    kept_.push_back(std::move(ready));
+}
+
+bool ObjectLines::makeReady(const SheetOptions& options, double scale, Kernel kernel,
+                            const Progress& progress) {
     validate(options.style);
     const double mm = scale * options.mm_per_unit;
     const PrecomputeOptions wanted = fieldOptions(options, mm);
-    const bool are_given = std::all_of(objects_.begin(), objects_.end(),
-                                       [](const Object& object) { return object.field; });
-    const bool are_equal = std::abs(wanted.drawn_kernel_size - made_.drawn_kernel_size) <=
-                               same_kernel * made_.drawn_kernel_size &&
-                           (made_.curvature_derivatives || !wanted.curvature_derivatives);
-    if (extractors_.size() == objects_.size() && (are_given || are_equal)) return;
-    extractors_.clear();
-    kernel_size_ = 0;
-    remarks_.clear();
-    made_ = wanted;
+    const auto nearest =
+        std::min_element(kept_.begin(), kept_.end(), [&](const Extractors& a, const Extractors& b) {
+            return distance(a, wanted) < distance(b, wanted);
+        });
+    const double least = nearest == kept_.end() ? INFINITY : distance(*nearest, wanted);
+    if (least == 0 || (kernel == Kernel::AtHand && std::isfinite(least))) {
+        kept_.splice(kept_.begin(), kept_, nearest);
+        return least == 0;
+    }
+    makeRoom();
+    kept_.push_front(compute(options, mm, wanted, progress));
+    return true;
+}
+
+void ObjectLines::makeRoom() {
+    std::size_t bytes = 0;
+    for (auto kept = kept_.begin(); kept != kept_.end();)
+        kept = (bytes += bytesOf(*kept)) > most_bytes_ ? kept_.erase(kept) : std::next(kept);
+}
+
+ObjectLines::Extractors ObjectLines::compute(const SheetOptions& options, double mm,
+                                             const PrecomputeOptions& wanted,
+                                             const Progress& progress) const {
+    Extractors result{wanted, true, {}, {}};
     const auto count = double(objects_.size());
     for (const Object& object : objects_) {
-        const auto done = double(extractors_.size());
+        if (object.field && object.extractor) {
+            result.extractors.push_back(atHand(object));
+            continue;
+        }
+        const auto done = double(result.extractors.size());
         const Progress own = part(progress, done / count, (done + 1) / count);
         Field computed;
         if (!object.field)
             computed = computeField(object, wanted, options, mm, part(own, 0, field_share));
         const Field& field = object.field ? *object.field : computed;
-        kernel_size_ = std::max(kernel_size_, field.scale.kernel_size);
         for (const MeshFault fault : laplacian_lines::faults_of(field.report))
             if (fault != MeshFault::CoarseKernel)  // as the scale or the user asks for
-                remarks_.push_back((object.name.empty() ? "" : object.name + ": ") +
-                                   describe(fault, field.report));
-        extractors_.emplace_back(object.mesh, field, part(own, field_share, 1));
+                result.remarks.push_back((object.name.empty() ? "" : object.name + ": ") +
+                                         describe(fault, field.report));
+        result.extractors.push_back({std::make_shared<const laplacian_lines::LineExtractor>(
+                                         object.mesh, field, part(own, field_share, 1)),
+                                     field.scale.kernel_size, object.field != nullptr});
     }
+    return result;
+}
+
+double ObjectLines::kernelSize() const {
+    double largest = 0;
+    for (const Extractor& own : inUse().extractors)
+        largest = std::max(largest, own.kernel);
+    return largest;
 }
 
 std::vector<laplacian_lines::LineSet> ObjectLines::extract(
     const laplacian_lines::View& view, const laplacian_lines::LineStyle& style) {
     std::vector<laplacian_lines::LineSet> lines;
-    for (const laplacian_lines::LineExtractor& extractor : extractors_)
-        lines.push_back(laplacian_lines::extract_on_surface(extractor, view, style, scratch_));
+    for (const Extractor& own : inUse().extractors)
+        lines.push_back(laplacian_lines::extract_on_surface(*own.extractor, view, style, scratch_));
     return lines;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <list>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,15 +14,20 @@
 
 namespace line_drawing {
 
+/// Whether lines may be those of a field with another kernel, if such are there.
+enum class Kernel { Exact, AtHand };
+
 /// The lines within objects' faces, from fields as fine as the scale asks for. Objects outlive
 /// this.
 class ObjectLines {
 public:
-    explicit ObjectLines(const Objects& objects) : objects_(objects) {}
+    /// Of extractors that are not in use, up to `most_bytes` are kept.
+    explicit ObjectLines(const Objects& objects, std::size_t most_bytes = 0);
 
     /// Computes the fields for `scale`, mm on paper per mm of the object, unless given or kept.
+    /// Whether the kernel is that of this scale.
     /// @throws laplacian_lines::Error, naming the object
-    void makeReady(const SheetOptions& options, double scale,
+    bool makeReady(const SheetOptions& options, double scale, Kernel kernel,
                    const laplacian_lines::Progress& progress);
 
     /// One set per object, for LineVisibility.
@@ -28,17 +35,40 @@ public:
                                                   const laplacian_lines::LineStyle& style);
 
     /// What users should know of the objects' meshes.
-    std::vector<std::string> remarks() const { return remarks_; }
+    std::vector<std::string> remarks() const { return inUse().remarks; }
 
     /// The largest √h, mesh units.
-    double kernelSize() const { return kernel_size_; }
+    double kernelSize() const;
 
 private:
+    struct Extractor {
+        std::shared_ptr<const laplacian_lines::LineExtractor> extractor;
+        double kernel;  ///< √h, mesh units
+        bool is_given;  ///< is of the object's own field
+    };
+    struct Extractors {
+        laplacian_lines::PrecomputeOptions made;  ///< of the fields that are not given
+        bool is_exact;                            ///< they are what `made` gives
+        std::vector<Extractor> extractors;        ///< by object
+        std::vector<std::string> remarks;
+    };
+
+    static Extractor atHand(const Object& object);
+    static std::size_t bytesOf(const Extractors& kept);
+    /// From what `wanted` gives: 0 if it is the same, else the largest factor between kernels, or
+    /// infinite if these cannot do instead.
+    static double distance(const Extractors& kept,
+                           const laplacian_lines::PrecomputeOptions& wanted);
+
+    const Extractors& inUse() const { return kept_.front(); }
+    void makeRoom();
+    Extractors compute(const SheetOptions& options, double mm,
+                       const laplacian_lines::PrecomputeOptions& wanted,
+                       const laplacian_lines::Progress& progress) const;
+
     const Objects& objects_;
-    laplacian_lines::PrecomputeOptions made_;  ///< of the extractors
-    std::vector<laplacian_lines::LineExtractor> extractors_;
-    double kernel_size_ = 0;
-    std::vector<std::string> remarks_;
+    const std::size_t most_bytes_;
+    std::list<Extractors> kept_;  ///< the last used ones first
     laplacian_lines::ExtractionScratch scratch_;
 };
 

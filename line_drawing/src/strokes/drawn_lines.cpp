@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double least_cosine = 0.94;  // of 20°
-constexpr double largest_sine = 0.342;
+constexpr double largest_sine = 0.342, largest_tangent = 0.364;
 constexpr double end_share = 0.5;     // of a piece of a line: beyond its end is not beside it
 constexpr double piece_share = 0.51;  // of the reach: half a piece, and rounding
 
@@ -131,19 +131,26 @@ void DrawnLines::add(const std::vector<Vector2d>& line, std::size_t number) {
     }
 }
 
-/// By squares that hold the middle of a piece as near as this: pieces are at most `reach` long.
+/// By squares that may hold the middle of such a piece: pieces are at most `reach` long.
 template <class Test>
-bool DrawnLines::anyPieceNear(const Vector2d& point, double within, Test test) const {
-    const double to_middle = within + piece_share * reach_;
+bool DrawnLines::anyPieceIn(const Eigen::AlignedBox2d& box, Test test) const {
+    if (pieces_.empty()) return false;
+    const double to_middle = piece_share * reach_;
     const auto low = [&](double x) { return squareOf(x - to_middle); };
     const auto high = [&](double x) { return squareOf(x + to_middle); };
-    for (std::int64_t x = low(point.x()); x <= high(point.x()); ++x)
-        for (std::int64_t y = low(point.y()); y <= high(point.y()); ++y) {
+    for (std::int64_t x = low(box.min().x()); x <= high(box.max().x()); ++x)
+        for (std::int64_t y = low(box.min().y()); y <= high(box.max().y()); ++y) {
             const auto found = pieces_.find(cell(x, y));
             if (found == pieces_.end()) continue;
             if (std::any_of(found->second.begin(), found->second.end(), test)) return true;
         }
     return false;
+}
+
+template <class Test>
+bool DrawnLines::anyPieceNear(const Vector2d& point, double within, Test test) const {
+    const Vector2d room = Vector2d::Constant(within);
+    return anyPieceIn(Eigen::AlignedBox2d(point - room, point + room), test);
 }
 
 bool DrawnLines::runAlong(const Vector2d& point, const Vector2d& way, double within) const {
@@ -189,14 +196,17 @@ std::optional<DrawnLines::Neighbour> DrawnLines::nextOn(
     const std::function<bool(std::size_t)>& skips) const {
     std::optional<Neighbour> nearest;
     double most = distances.most;
-    anyPieceNear(point, distances.most, [&](const Piece& piece) {
+    const Vector2d farthest = point + most * side, aside = most * largest_tangent * leftOf(side);
+    Eigen::AlignedBox2d box(point);
+    box.extend(farthest + aside).extend(farthest - aside);
+    anyPieceIn(box, [&](const Piece& piece) {
         const Vector2d across = nearestTo(piece.begin, piece.end, point) - point;
-        const Vector2d way = (piece.end - piece.begin).normalized();
         const double distance = across.norm();
         if (distance < distances.least || distance > most ||
-            across.dot(side) < least_cosine * distance || std::abs(way.dot(side)) > largest_sine ||
-            skips(piece.line))
+            across.dot(side) < least_cosine * distance)
             return false;
+        const Vector2d way = (piece.end - piece.begin).normalized();
+        if (std::abs(way.dot(side)) > largest_sine || skips(piece.line)) return false;
         most = distance;
         nearest = Neighbour{point + across, way, piece.line};
         return false;

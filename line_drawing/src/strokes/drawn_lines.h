@@ -65,7 +65,9 @@ private:
 
     std::int64_t squareOf(double coordinate) const;
     static Cell cell(std::int64_t x, std::int64_t y);
-    /// Until test(piece) is true; whether it was.
+    /// Of pieces with a place in the box, until test(piece) is true; whether it was.
+    template <class Test>
+    bool anyPieceIn(const Eigen::AlignedBox2d& box, Test test) const;
     template <class Test>
     bool anyPieceNear(const Eigen::Vector2d& point, double within, Test test) const;
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 
+#include "laplacian_lines/threads.h"
 #include "strokes/refining.h"
 #include "strokes/strokes.h"
 
@@ -131,22 +133,16 @@ class Easing {
 public:
     explicit Easing(double reach) : reach_(reach) {}
 
-    void ease(DrawnLine& line) {
-        const std::vector<DrawnPoint>& points = line.points;
-        if (line.closed && !beginAtExact(line)) {
-            line.points = easedStretch(points, true);
-            return;
-        }
-        std::vector<DrawnPoint> eased;
-        for (std::size_t begin = 0, end; begin + 1 < points.size(); begin = end) {
-            for (end = begin + 1; end + 1 < points.size() && !points[end].is_exact; ++end) {
-            }
-            const std::vector<DrawnPoint> stretch(points.begin() + std::ptrdiff_t(begin),
-                                                  points.begin() + std::ptrdiff_t(end) + 1);
-            const auto part = easedStretch(stretch, false);
-            eased.insert(eased.end(), part.begin() + (eased.empty() ? 0 : 1), part.end());
-        }
-        line.points = std::move(eased);
+    /// Those of a class.
+    void ease(LineClass line_class, std::vector<DrawnLine>& lines) {
+        std::vector<Moved> moved(lines.size());
+        laplacian_lines::in_parallel(lines.size(), [&](std::size_t i) {
+            if (lines[i].line_class == line_class && lines[i].points.size() > 2)
+                ease(lines[i], moved[i]);
+        });
+        for (const Moved& of_line : moved)
+            for (const auto& [node, place] : of_line)
+                moved_.try_emplace(node, place);
     }
 
     /// Moves ends with the lines that they meet.
@@ -159,6 +155,26 @@ public:
     }
 
 private:
+    using Moved = std::vector<std::pair<std::uint32_t, Vector2d>>;  // nodes, and where they are
+
+    void ease(DrawnLine& line, Moved& moved) const {
+        const std::vector<DrawnPoint>& points = line.points;
+        if (line.closed && !beginAtExact(line)) {
+            line.points = easedStretch(points, true, moved);
+            return;
+        }
+        std::vector<DrawnPoint> eased;
+        for (std::size_t begin = 0, end; begin + 1 < points.size(); begin = end) {
+            for (end = begin + 1; end + 1 < points.size() && !points[end].is_exact; ++end) {
+            }
+            const std::vector<DrawnPoint> stretch(points.begin() + std::ptrdiff_t(begin),
+                                                  points.begin() + std::ptrdiff_t(end) + 1);
+            const auto part = easedStretch(stretch, false, moved);
+            eased.insert(eased.end(), part.begin() + (eased.empty() ? 0 : 1), part.end());
+        }
+        line.points = std::move(eased);
+    }
+
     /// Rotates a closed line so; false if none of its points is exact.
     static bool beginAtExact(DrawnLine& line) {
         std::vector<DrawnPoint>& points = line.points;
@@ -170,14 +186,15 @@ private:
         return true;
     }
 
-    std::vector<DrawnPoint> easedStretch(const std::vector<DrawnPoint>& points, bool closed) {
+    std::vector<DrawnPoint> easedStretch(const std::vector<DrawnPoint>& points, bool closed,
+                                         Moved& moved) const {
         if (points.size() < 3) return points;
         EvenLine even(points, step_share * reach_);
         if (!even.isLong()) return points;
         even.ease(reach_, closed);
         for (std::size_t i = closed ? 0 : 1; i + 1 < points.size(); ++i)
             if (points[i].node != laplacian_lines::kNoSightNode)
-                moved_.try_emplace(points[i].node, even.placeOf(i));
+                moved.emplace_back(points[i].node, even.placeOf(i));
         return even.result();
     }
 
@@ -194,8 +211,7 @@ bool isContour(const DrawnLine& line) {
 void easeLines(std::vector<DrawnLine>& lines, double reach) {
     Easing easing(reach);
     for (const LineClass c : {LineClass::Outline, LineClass::Contour}) {
-        for (DrawnLine& line : lines)
-            if (line.line_class == c && line.points.size() > 2) easing.ease(line);
+        easing.ease(c, lines);
         for (DrawnLine& line : lines)
             easing.follow(line);
     }
@@ -206,13 +222,14 @@ void easeLines(std::vector<DrawnLine>& lines, double reach) {
 }
 
 void easeInnerLines(std::vector<DrawnLine>& lines, double reach) {
-    for (DrawnLine& line : lines) {
-        if (isFixed(line) || line.points.size() < 3) continue;
+    laplacian_lines::in_parallel(lines.size(), [&](std::size_t i) {
+        DrawnLine& line = lines[i];
+        if (isFixed(line) || line.points.size() < 3) return;
         EvenLine even(line.points, step_share * reach);
-        if (!even.isLong()) continue;
+        if (!even.isLong()) return;
         even.ease(reach, line.closed);
         line.points = even.result();
-    }
+    });
 }
 
 }  // namespace line_drawing

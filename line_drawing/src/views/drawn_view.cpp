@@ -172,7 +172,7 @@ std::vector<DrawnLine> project(const std::vector<SightLine>& lines, const Projec
                                double unit) {
     std::vector<DrawnLine> drawn;
     for (const SightLine& line : lines) {
-        drawn.push_back({classOf(line), line.closed, {}, unit * double(line.jump)});
+        drawn.push_back({classOf(line), line.closed, {}, unit * double(line.jump), line.kind});
         drawn.back().points.reserve(line.points.size());
         for (const SightPoint& point : line.points)
             drawn.back().points.push_back({unit * projection(point.position),

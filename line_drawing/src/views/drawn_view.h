@@ -68,6 +68,7 @@ struct DrawnLine {
     bool closed;  ///< ends with a copy of its first point
     std::vector<DrawnPoint> points;
     double jump = 0;  ///< of contours: the largest distance of what is behind them, in mm
+    laplacian_lines::LineKind kind = laplacian_lines::LineKind::Laplacian;  ///< but of sections
 };
 
 std::vector<Eigen::Vector2d> positionsOf(const DrawnLine& line);

@@ -12,33 +12,24 @@ namespace line_renderer {
 template <class Object>
 class PerShareGroup;
 
-/// A picture in grays, a byte a pixel, rows from the top: what is black in it is inked. Shared, so
-/// that a picture is known by its address as long as anything shows it.
+/// A picture in several inks. Each is a byte a pixel, rows from the top, ink where it is black.
 struct InkPicture {
     Eigen::Vector2i size;
-    std::vector<std::uint8_t> grays;
+    std::vector<std::vector<std::uint8_t>> inks;
 };
 using InkPicturePointer = std::shared_ptr<const InkPicture>;
 
-/// Where a picture lies in the viewport, in its coordinates of -1..1: a tile of a large picture
-/// shows a part of it.
-struct PicturePlace {
-    double scale = 1;
-    Eigen::Vector2d shift = {0, 0};
-};
-
-/// Lays pictures over the view. Keeps the last one in OpenGL's memory, and OpenGL's state. GUI
-/// thread only.
+/// Lays pictures over the view. Keeps OpenGL's state. GUI thread only.
 class PictureRenderer {
 public:
     PictureRenderer();
     ~PictureRenderer();
 
-    /// Of pictures that the current context can show, pixels.
-    static int largestSide();
-
+    /// Fills the viewport with its part of the picture, which has the upper left corner at this
+    /// pixel. `colors`, with their alpha: of the inks, the last of which lies over the others.
     /// @throws std::runtime_error if OpenGL cannot do it
-    void paint(const InkPicturePointer& picture, const QColor& ink, const PicturePlace& place);
+    void paint(const InkPicture& picture, const std::vector<QColor>& colors,
+               const Eigen::Vector2i& corner);
 
 private:
     struct Objects;

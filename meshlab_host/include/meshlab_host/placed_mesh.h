@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "laplacian_lines/field.h"
+#include "laplacian_lines/precompute_options.h"
+#include "laplacian_lines/progress.h"
+#include "laplacian_lines/triangle_mesh.h"
+#include "meshlab_host/camera.h"
+
+namespace meshlab_host {
+
+/// Moves a layer's mesh into other coordinates. Reflected faces keep their outside.
+/// @throws laplacian_lines::Error(InvalidOption) if the transformation is singular
+void place(const Eigen::Matrix4d& layer, laplacian_lines::TriangleMesh& mesh);
+
+/// Transforms a field and its lengths, but drops curvature derivatives, whose frames do not follow.
+void place(const Similarity& similarity, laplacian_lines::Field& field);
+
+/// A mesh with its field, if it has one. One that the transformation stretches or reflects is
+/// computed anew, by the options that it had been computed with.
+/// @throws laplacian_lines::Error as the above and precompute()
+void place(const Eigen::Matrix4d& layer, laplacian_lines::PrecomputeOptions options,
+           laplacian_lines::TriangleMesh& mesh, std::optional<laplacian_lines::Field>& field,
+           const laplacian_lines::Progress& progress);
+
+}  // namespace meshlab_host
