@@ -10,7 +10,6 @@
 #include "mesh/box_tree.h"
 #include "mesh/conforming.h"
 #include "mesh/corner_table.h"
-#include "visibility/vertex_places.h"
 
 namespace laplacian_lines {
 namespace {
@@ -93,81 +92,23 @@ int common_corners(const Triangle& a, const Triangle& b) {
     return count;
 }
 
-/// Whether one of some planes through the common corner of two triangles separates them, as for
-/// nearly all at a vertex with another between them.
-bool are_apart_at_corner(const Triangle& a, const Triangle& b, double reach,
-                         const SightMesh& mesh) {
-    const std::uint32_t corner = has_corner(b, a[0]) ? a[0] : has_corner(b, a[1]) ? a[1] : a[2];
-    const auto spans_of = [&](const Triangle& t) -> std::array<Vector3d, 2> {
-        const std::size_t k = corner == t[0] ? 0 : corner == t[1] ? 1 : 2;
-        const Vector3d& from = mesh.positions[corner];
-        return {mesh.positions[t[(k + 1) % 3]] - from, mesh.positions[t[(k + 2) % 3]] - from};
-    };
-    const auto of_a = spans_of(a), of_b = spans_of(b);
-    const auto separates = [&](const Vector3d& normal) {
-        const double least = reach * normal.norm();
-        return normal.dot(of_a[0]) > least && normal.dot(of_a[1]) > least &&
-               normal.dot(of_b[0]) < -least && normal.dot(of_b[1]) < -least;
-    };
-    if (separates(of_a[0] + of_a[1] - of_b[0] - of_b[1])) return true;
-    const Vector3d normal = of_a[0].cross(of_a[1]);
-    for (const Vector3d& s : of_a)
-        for (const Vector3d& t : of_b) {  // upright in the middle of a gap
-            const Vector3d between = normal.cross(s * t.norm() + t * s.norm());
-            if (separates(between) || separates(-between)) return true;
-        }
-    return false;
-}
-
-using Corners = std::array<Vector3d, 3>;
-
-Corners corners_of(const Triangle& t, const SightMesh& mesh) {
-    return {mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]};
-}
-
-/// Whether a plane upright on a side of `other` separates it from t.
-bool is_beyond_side(const Corners& t, const Corners& other, double reach) {
-    const Vector3d normal = (other[1] - other[0]).cross(other[2] - other[0]);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Vector3d outwards = (other[(k + 1) % 3] - other[k]).cross(normal);
-        const double least = reach * outwards.norm() + outwards.dot(other[k]);
-        if (outwards.dot(t[0]) > least && outwards.dot(t[1]) > least && outwards.dot(t[2]) > least)
-            return true;
-    }
-    return false;
-}
-
-/// Whether one of some planes shows that triangles without a common corner are farther apart than
-/// `reach`.
-bool are_far(const Triangle& a, const Triangle& b, double reach, const SightMesh& mesh) {
-    const Corners of_a = corners_of(a, mesh), of_b = corners_of(b, mesh);
-    const Vector3d across = of_a[0] + of_a[1] + of_a[2] - of_b[0] - of_b[1] - of_b[2];
-    const auto along = [&](const Vector3d& p) { return across.dot(p); };
-    if (std::min({along(of_a[0]), along(of_a[1]), along(of_a[2])}) -
-            std::max({along(of_b[0]), along(of_b[1]), along(of_b[2])}) >
-        reach * across.norm())
-        return true;
-    return is_beyond_side(of_a, of_b, reach) || is_beyond_side(of_b, of_a, reach);
-}
-
 class PairJudge {
 public:
     PairJudge(const SightMesh& mesh, const std::vector<bool>& on_border)
-        : mesh_(mesh), on_border_(on_border) {}
+        : mesh_(mesh), on_border_(on_border), normals_(mesh.triangles.size()) {
+        for_each_element(normals_.size(),
+                         [&](std::size_t t) { normals_[t] = mesh.normal(std::uint32_t(t)); });
+    }
 
     /// Within which triangles can meet.
     double reach() const { return std::max(kCrack, mesh_.precision); }
 
     void judge(std::uint32_t t, std::uint32_t other, Found& found) const {
         const Triangle &a = mesh_.triangles[t], &b = mesh_.triangles[other];
-        const int common = common_corners(a, b);
-        if (common > 1) return;
-        if (common == 1 ? are_apart_at_corner(a, b, reach(), mesh_) : are_far(a, b, reach(), mesh_))
-            return;
-        const Vector3d m = mesh_.normal(other);
+        if (common_corners(a, b) > 1) return;
+        const Vector3d &n = normals_[t], &m = normals_[other];
         const Heights of_t(mesh_, a, m, mesh_.positions[b[0]]);
         if (of_t.are_beside(reach(), a, b)) return;
-        const Vector3d n = mesh_.normal(t);
         const Heights of_other(mesh_, b, n, mesh_.positions[a[0]]);
         if (of_other.are_beside(reach(), b, a)) return;
         find_touching(a, of_t, b, found);
@@ -262,6 +203,7 @@ private:
 
     const SightMesh& mesh_;
     const std::vector<bool>& on_border_;
+    std::vector<Vector3d> normals_;  // by triangle
 };
 
 template <class T>
