@@ -15,16 +15,21 @@ namespace {
 
 constexpr float kPinhole = 3;  // shortest lines around a hole that is worth a border
 
-/// By edge.
+/// One for each edge, in their order.
 std::vector<std::uint32_t> border_sides(const Surface& surface) {
     const auto find = [&](std::uint32_t side, std::vector<std::uint32_t>& found) {
-        if (surface.sides().across(side) == CornerTable::kBorder) found.push_back(side);
+        if (!surface.sides().has_neighbour(side)) found.push_back(side);
     };
     auto sides = collect<std::uint32_t>(surface.sides().side_count(), find);
-    std::sort(sides.begin(), sides.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return edge_between(surface.begin(a), surface.end(a)) <
-               edge_between(surface.begin(b), surface.end(b));
-    });
+    const auto edge = [&](std::uint32_t side) {
+        return edge_between(surface.begin(side), surface.end(side));
+    };
+    std::stable_sort(sides.begin(), sides.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return edge(a) < edge(b); });
+    const auto last =
+        std::unique(sides.begin(), sides.end(),
+                    [&](std::uint32_t a, std::uint32_t b) { return edge(a) == edge(b); });
+    sides.erase(last, sides.end());
     return sides;
 }
 
