@@ -1,81 +1,70 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Chains of edges where the surface ends.
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 #include "fixed/fixed_lines.h"
+#include "fixed/line_copies.h"
 #include "fixed/piece_graph.h"
+#include "fixed/surface.h"
 #include "rules/thresholds.h"
+#include "system/parallel.h"
 
 namespace laplacian_lines {
 namespace {
 
 constexpr float kPinhole = 3;  // shortest lines around a hole that is worth a border
 
-/// A side of a triangle where the surface ends.
-struct BorderSide {
-    std::uint32_t vertices[2];  ///< from one to the other
-    Eigen::Vector3f positions[2];
-
-    std::pair<std::uint32_t, std::uint32_t> edge() const {
-        return std::minmax(vertices[0], vertices[1]);
-    }
-};
-
-/// By edge; those of one edge, where more than two triangles meet, by cluster.
-std::vector<BorderSide> border_sides(const ExtractorData& data) {
-    std::vector<BorderSide> sides;
-    for (const PlacedCluster& placed : place_clusters(data))
-        for (unsigned t = 0; t < placed.cluster->triangle_count; ++t)
-            for (unsigned k = 0; k < 3; ++k) {
-                const ClusterTriangle& triangle = placed.triangle(t);
-                if (triangle.neighbours[k] != kNoNeighbour) continue;
-                const unsigned a = triangle.corners[k], b = triangle.corners[(k + 1) % 3];
-                sides.push_back({{placed.vertices[a], placed.vertices[b]},
-                                 {position_of(placed.records[a]), position_of(placed.records[b])}});
-            }
+/// One for each edge, in their order.
+std::vector<std::uint32_t> border_sides(const Surface& surface) {
+    const auto find = [&](std::uint32_t side, std::vector<std::uint32_t>& found) {
+        if (!surface.sides().has_neighbour(side)) found.push_back(side);
+    };
+    auto sides = collect<std::uint32_t>(surface.sides().side_count(), find);
+    const auto edge = [&](std::uint32_t side) {
+        return edge_between(surface.begin(side), surface.end(side));
+    };
     std::stable_sort(sides.begin(), sides.end(),
-                     [](const BorderSide& x, const BorderSide& y) { return x.edge() < y.edge(); });
+                     [&](std::uint32_t a, std::uint32_t b) { return edge(a) < edge(b); });
+    const auto last =
+        std::unique(sides.begin(), sides.end(),
+                    [&](std::uint32_t a, std::uint32_t b) { return edge(a) == edge(b); });
+    sides.erase(last, sides.end());
     return sides;
 }
 
-LineSet find_borders(const ExtractorData& data) {
+LineSet find_borders(const ExtractorData& data, FixedLines& all) {
+    LineSet lines;
+    if (data.is_body) return lines;  // closed
+    const std::shared_ptr<const Surface> shared = all.surface(data);
+    const Surface& surface = *shared;
     PieceGraph graph;
-    std::vector<Eigen::Vector3f> positions;  // by node
-    const auto node = [&](const BorderSide& side, int end) {
-        const std::uint32_t number = graph.node(side.vertices[end]);
-        if (number == positions.size()) positions.push_back(side.positions[end]);
+    std::vector<std::uint32_t> vertices;  // by node
+    const auto node = [&](std::uint32_t vertex) {
+        const std::uint32_t number = graph.node(vertex);
+        if (number == vertices.size()) vertices.push_back(vertex);
         return number;
     };
-    const std::vector<BorderSide> sides = border_sides(data);
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-        if (i + 1 < sides.size() && sides[i].edge() == sides[i + 1].edge()) continue;
-        const std::uint32_t begin = node(sides[i], 0);
-        graph.add(begin, node(sides[i], 1));
+    for (const std::uint32_t side : border_sides(surface)) {
+        const std::uint32_t begin = node(surface.begin(side));
+        graph.add(begin, node(surface.end(side)));
     }
-    LineSet lines;
     for (const PieceGraph::Line& line : graph.lines())
         append_line(
             data, LineKind::Border, line,
-            [&](std::uint32_t n) -> const Eigen::Vector3f& { return positions[n]; }, lines);
+            [&](std::uint32_t n) { return surface.position(vertices[n]); }, lines);
     return lines;
 }
 
 class Borders : public FixedKindLines {
 public:
-    explicit Borders(const ExtractorData& data) : found_(find_borders(data)) {}
+    Borders(const ExtractorData& data, FixedLines& all) : found_(find_borders(data, all)) {}
 
     void append(const ExtractorData&, FixedLines&, const LocalEye&, const LineStyle& style,
                 LineSet& lines) const override {
         const float shortest = kPinhole * Thresholds(style).shortest_line;
-        for (Polyline line : found_.lines) {
-            if (line.length < shortest) continue;
-            const auto begin = found_.points.begin() + line.first;
-            line.first = std::uint32_t(lines.points.size());
-            lines.points.insert(lines.points.end(), begin, begin + line.count);
-            lines.lines.push_back(line);
-        }
+        for (const Polyline& line : found_.lines)
+            if (line.length >= shortest) append_whole(found_, line, lines);
     }
 
 private:

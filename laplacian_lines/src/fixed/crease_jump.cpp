@@ -20,32 +20,30 @@ bool are_alike(float a, float b) {
     return a <= kAlike * b && b <= kAlike * a;
 }
 
-/// Whether three faces meet at an end of an edge, the corner `end` of the side's triangle, at edges
+/// Whether three faces meet at the end `end` of an edge, a vertex, at edges
 /// of at least this angle, and not both others of them are edges of the form whatever is around.
-bool is_corner(const TriangleGraph& graph, const TriangleSide& side, unsigned end, float least) {
-    const Eigen::Vector3f corner = graph.position(side.triangle, end);
+bool is_corner(const Surface& surface, std::uint32_t side, std::uint32_t end, float least) {
     int edges = 0, sharp = 0;
-    TriangleSide at = side;
+    std::uint32_t at = side;
     for (int i = 0; i < kMostTriangles; ++i) {
-        const unsigned after = (at.k + 1) % 3;  // the other side there is this or the next
-        at.k = graph.position(at.triangle, after) == corner ? after : (after + 1) % 3;
-        const std::uint32_t next = graph.triangles[at.triangle].neighbours[at.k];
-        if (next == TriangleGraph::kNone || graph.triangles[next].normal.isZero(0)) return false;
-        const float angle = std::abs(signed_angle(graph, at));
+        // the other side there
+        at = surface.begin(at) == end ? last_side(at) : next_side(at);
+        if (!surface.goes_on(at)) return false;
+        const float angle = std::abs(signed_angle(surface, at));
         edges += angle >= least;
         sharp += angle >= kEdgeAngle;
-        at = side_beyond(graph, at);
-        if (at.triangle == side.triangle) return edges == 3 && sharp < 2;
+        at = surface.across(at);
+        if (at / 3 == side / 3) return edges == 3 && sharp < 2;
     }
     return false;
 }
 
 /// Whether an edge may be between facets of an arc that has but three. Those are strips, which end
 /// at edges of the form, at borders or in more strips: not in such corners at both ends.
-bool may_be_of_three(const TriangleGraph& graph, const TriangleSide& side, float angle) {
+bool may_be_of_three(const Surface& surface, std::uint32_t side, float angle) {
     const float least = kWithinFacet * std::abs(angle);
-    return !is_corner(graph, side, side.k, least) ||
-           !is_corner(graph, side, (side.k + 1) % 3, least);
+    return !is_corner(surface, side, surface.begin(side), least) ||
+           !is_corner(surface, side, surface.end(side), least);
 }
 
 /// Triangles in one plane, nearly.
@@ -60,8 +58,8 @@ struct Facet {
 class FacetWalk {
 public:
     /// Angles as they turn the path: by `angle` at the edge in question.
-    FacetWalk(const TriangleGraph& graph, const TriangleSide& from, float lean, float angle)
-        : walk_(graph, from, lean),
+    FacetWalk(const Surface& surface, std::uint32_t from, float lean, float angle)
+        : walk_(surface, from, lean),
           sign_(angle > 0 ? 1.f : -1.f),
           least_(kWithinFacet * std::abs(angle)) {}
 
@@ -121,9 +119,8 @@ private:
 /// What one side tells.
 class FacetSide {
 public:
-    FacetSide(const TriangleGraph& graph, const TriangleSide& from, float lean, float angle,
-              bool of_three)
-        : walk_(graph, from, lean, angle),
+    FacetSide(const Surface& surface, std::uint32_t from, float lean, float angle, bool of_three)
+        : walk_(surface, from, lean, angle),
           telling_(kTelling * std::abs(angle)),
           of_three_(of_three) {
         Facet facet;
@@ -203,15 +200,12 @@ float explained(const FacetSide& a, const FacetSide& b) {
 
 }  // namespace
 
-CreaseJump crease_jump(const TriangleGraph& graph, const TriangleSide& side, float angle) {
-    const float sign = graph.triangles[side.triangle].sign_across(side.k);
-    const bool of_three = may_be_of_three(graph, side, angle);
-    const float lean = lean_of_walls(graph, side), turn = angle * std::sqrt(1 - lean * lean);
-    const TriangleSide beyond = side_beyond(graph, side);
-    const bool is_same_way =
-        graph.position(beyond.triangle, beyond.k) == graph.position(side.triangle, side.k);
-    const FacetSide here(graph, side, lean, turn, of_three),
-        there(graph, beyond, is_same_way ? -lean : lean, sign * turn, of_three);
+CreaseJump crease_jump(const Surface& surface, std::uint32_t side, float angle) {
+    const float sign = surface.sign_across(side);
+    const bool of_three = may_be_of_three(surface, side, angle);
+    const float lean = lean_of_walls(surface, side), turn = angle * std::sqrt(1 - lean * lean);
+    const FacetSide here(surface, side, lean, turn, of_three),
+        there(surface, surface.across(side), sign * lean, sign * turn, of_three);
     return {std::abs(angle) * (1 - explained(here, there) / std::abs(turn)),
             here.is_clear() && there.is_clear()};
 }

@@ -13,8 +13,6 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kDegrees = 57.29577951308232f;
-
 // How far a side reaches.
 constexpr float kLeastReach = 0.01f;  // D
 constexpr float kHeights = 2.5f;      // of the triangle at the edge
@@ -33,14 +31,10 @@ constexpr int kFewEdges = 8;          // too few to tell bending to and fro from
 constexpr float kLong = 0.02f;        // D; edges this long are no noise
 constexpr int kFewTriangles = 4;      // of a side, as large faces have them
 
-float angle_between(const Vector3f& a, const Vector3f& b) {
-    return arc_tangent(length_of(a.cross(b)), dot(a, b)) * kDegrees;
-}
-
-/// Positive where the surface is convex at a side of a triangle.
-float bend_at(const TriangleGraph& graph, std::uint32_t triangle, unsigned k) {
-    const TriangleGraph::Node& node = graph.triangles[triangle];
-    return dot(node.normal, node.centre - graph.triangles[node.neighbours[k]].centre);
+/// Positive where the surface is convex at a side.
+float bend_at(const Surface& surface, std::uint32_t side) {
+    const Surface::Facet& facet = surface.facet(side / 3);
+    return dot(facet.normal, facet.centre - surface.beyond(side).centre);
 }
 
 /// What the surface is like on one side of an edge: triangles from the one at it on, in rings.
@@ -48,14 +42,13 @@ class EdgeSide {
 public:
     /// The side of the edge's own triangle, or the one beyond, as far as edges have at least the
     /// cosine `passable`; may end where the surface is too rough for an edge of this angle.
-    EdgeSide(const TriangleGraph& graph, const CreaseEdge& edge, bool beyond, float passable,
+    EdgeSide(const Surface& surface, const CreaseEdge& edge, bool beyond, float passable,
              float angle)
-        : graph_(graph), passable_(passable), is_long_(edge.length() > kLong) {
-        const std::uint32_t own = edge.side.triangle;
-        const std::uint32_t other = graph.triangles[own].neighbours[edge.side.k];
+        : surface_(surface), passable_(passable), is_long_(edge.length() > kLong) {
+        const std::uint32_t own = edge.side / 3, other = surface.across(edge.side) / 3;
         const std::uint32_t start = beyond ? other : own, opposite = beyond ? own : other;
         const float length = edge.length();
-        const float height = length > 0 ? 2 * graph.triangles[start].area / length : 0;
+        const float height = length > 0 ? 2 * surface.facet(start).area / length : 0;
         const float across = std::max(kLeastReach, kHeights * height);
         const float aside = std::max(kLeastReach, kHeights * std::min(height, length));
         const Vector3f middle = (edge.positions[0] + edge.positions[1]) / 2;
@@ -66,24 +59,24 @@ public:
         const Vector3f away = beyond ? outwards - inwards : inwards - outwards;
         // on this side of the plane that halves the angle at the edge
         const auto is_near = [&](std::uint32_t triangle) {
-            const Vector3f offset = graph.triangles[triangle].centre - middle;
+            const Vector3f offset = surface.facet(triangle).centre - middle;
             const float farthest = across + aside + length / 2;
             return dot(offset, away) > 0 && std::abs(dot(offset, along)) <= length / 2 + aside &&
                    squared_length_of(offset) <= farthest * farthest;
         };
         std::vector<std::uint32_t> reached = {start};
-        std::vector<float> signs = {beyond ? graph.triangles[own].sign_across(edge.side.k) : 1.f};
+        std::vector<float> signs = {beyond ? surface.sign_across(edge.side) : 1.f};
         for (std::size_t i = 0; i < reached.size(); ++i) {
             add(reached[i], signs[i]);
             if (!has_few_edges() && is_too_rough(angle / kCertainly)) return;
-            const TriangleGraph::Node& node = graph.triangles[reached[i]];
-            for (unsigned k = 0; k < 3 && reached.size() < kMostTriangles; ++k) {
-                const std::uint32_t next = node.neighbours[k];
-                if (next == TriangleGraph::kNone || next == opposite || !is_near(next) ||
+            for (std::uint32_t side = 3 * reached[i]; side < 3 * reached[i] + 3; ++side) {
+                if (reached.size() == kMostTriangles || !surface.goes_on(side)) continue;
+                const std::uint32_t next = surface.across(side) / 3;
+                if (next == opposite || !is_near(next) ||
                     std::find(reached.begin(), reached.end(), next) != reached.end() ||
-                    graph.cosine_across(reached[i], k) < passable)
+                    surface.cosine_across(side) < passable)
                     continue;
-                signs.push_back(signs[i] * node.sign_across(k));
+                signs.push_back(signs[i] * surface.sign_across(side));
                 reached.push_back(next);
             }
         }
@@ -107,16 +100,16 @@ private:
     bool has_few_edges() const { return edges_ < kFewEdges; }
 
     void add(std::uint32_t triangle, float sign) {
-        const TriangleGraph::Node& node = graph_.triangles[triangle];
-        normals_ += sign * node.area * node.normal;
+        const Surface::Facet& facet = surface_.facet(triangle);
+        normals_ += sign * facet.area * facet.normal;
         ++triangles_;
-        for (unsigned k = 0; k < 3; ++k) {
-            if (node.neighbours[k] == TriangleGraph::kNone) continue;
-            const float cosine = graph_.cosine_across(triangle, k);
+        for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side) {
+            if (!surface_.goes_on(side)) continue;
+            const float cosine = surface_.cosine_across(side);
             if (cosine < passable_) continue;
             const float square = std::max(2 - 2 * cosine, 0.f);  // of the angle, nearly
             const float size = std::sqrt(square);
-            bends_ += sign * bend_at(graph_, triangle, k) > 0 ? size : -size;
+            bends_ += sign * bend_at(surface_, side) > 0 ? size : -size;
             sizes_ += size;
             squares_ += square;
             ++edges_;
@@ -130,7 +123,7 @@ private:
         return has_few_edges() && !is_long_ ? size : size * (1 - std::abs(bends_) / sizes_);
     }
 
-    const TriangleGraph& graph_;
+    const Surface& surface_;
     const float passable_;
     const bool is_long_;
     Vector3f normals_ = Vector3f::Zero();        // times areas, as the edge's own triangle has them
@@ -140,16 +133,16 @@ private:
 
 }  // namespace
 
-bool is_edge_of_form(const TriangleGraph& graph, const CreaseEdge& edge) {
+bool is_edge_of_form(const Surface& surface, const CreaseEdge& edge) {
     static const float passable = std::cos(kPassable / kDegrees);
     constexpr float anything = -2, whatever = 1e6f;
-    const EdgeSide here(graph, edge, false, passable, edge.angle);
+    const EdgeSide here(surface, edge, false, passable, edge.angle);
     if (here.is_too_rough(edge.angle)) return false;
-    const EdgeSide there(graph, edge, true, passable, edge.angle);
+    const EdgeSide there(surface, edge, true, passable, edge.angle);
     if (there.is_too_rough(edge.angle) || !EdgeSide::differ(here, there, edge.angle)) return false;
     return (here.is_calm() && there.is_calm()) ||
-           EdgeSide::differ(EdgeSide(graph, edge, false, anything, whatever),
-                            EdgeSide(graph, edge, true, anything, whatever), edge.angle);
+           EdgeSide::differ(EdgeSide(surface, edge, false, anything, whatever),
+                            EdgeSide(surface, edge, true, anything, whatever), edge.angle);
 }
 
 }  // namespace laplacian_lines

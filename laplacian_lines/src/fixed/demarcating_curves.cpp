@@ -9,6 +9,7 @@
 
 #include "fixed/fixed_lines.h"
 #include "fixed/strong_lines.h"
+#include "fixed/surface.h"
 #include "laplacian_lines/tangent_frame.h"
 #include "rules/line_rules.h"
 #include "rules/thresholds.h"
@@ -17,7 +18,6 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr float kDegrees = 57.2957795f;
 constexpr int kDirections = 36;        // that are tried; a cubic has at most three maxima
 constexpr float kClear = 0.9f;         // of the largest maximum, the most that another one may be
 constexpr float kLeastTurn = 0.7071f;  // cosine between directions at corners
@@ -132,7 +132,8 @@ ZeroLines find_demarcating_curves(const ExtractorData& data) {
 
 class DemarcatingCurves : public FixedKindLines {
 public:
-    explicit DemarcatingCurves(const ExtractorData& data) : found_(find_demarcating_curves(data)) {}
+    DemarcatingCurves(const ExtractorData& data, FixedLines&)
+        : found_(find_demarcating_curves(data)) {}
 
     void append(const ExtractorData& data, FixedLines&, const LocalEye& eye, const LineStyle& style,
                 LineSet& lines) const override {

@@ -10,18 +10,26 @@ void FixedLines::append(const ExtractorData& data, const LocalEye& eye, const Li
         if (style.shows[kind] && has_needs_of(kind, data))
             find(data, i).append(data, *this, eye, style, lines);
     }
+    const std::lock_guard<std::mutex> lock(mutex_);
+    surface_.reset();
 }
 
 std::shared_ptr<const LineSet> FixedLines::whole(const ExtractorData& data, LineKind kind,
                                                  const LineStyle& style) {
     for (std::size_t i = 0; i < kFixedKindCount; ++i)
         if (fixed_kinds()[i]->kind == kind && style.shows[kind])
-            return find(data, i).whole(data, style);
+            return find(data, i).whole(data, *this, style);
     return nullptr;
 }
 
+std::shared_ptr<const Surface> FixedLines::surface(const ExtractorData& data) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!surface_) surface_ = std::make_shared<const Surface>(data);
+    return surface_;
+}
+
 const FixedKindLines& FixedLines::find(const ExtractorData& data, std::size_t number) {
-    return *found_[number].get([&] { return fixed_kinds()[number]->find(data); });
+    return *found_[number].get([&] { return fixed_kinds()[number]->find(data, *this); });
 }
 
 }  // namespace laplacian_lines

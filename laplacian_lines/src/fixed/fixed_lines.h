@@ -3,8 +3,10 @@
 
 #include <array>
 #include <memory>
+#include <mutex>
 
 #include "clusters/extractor_data.h"
+#include "fixed/surface.h"
 #include "laplacian_lines/line_set.h"
 #include "laplacian_lines/line_style.h"
 #include "system/on_demand.h"
@@ -23,22 +25,25 @@ public:
                         const LineStyle& style, LineSet& lines) const = 0;
     /// What the style can show from any eye, the same object while that is the same; null for kinds
     /// that nobody asks for.
-    virtual std::shared_ptr<const LineSet> whole(const ExtractorData&, const LineStyle&) const {
+    virtual std::shared_ptr<const LineSet> whole(const ExtractorData&, FixedLines&,
+                                                 const LineStyle&) const {
         return nullptr;
     }
 };
 
 struct FixedKind {
     LineKind kind;
-    std::unique_ptr<const FixedKindLines> (*find)(const ExtractorData& data);
+    std::unique_ptr<const FixedKindLines> (*find)(const ExtractorData& data, FixedLines& all);
 };
 
-/// `Lines` are constructed from the data.
+/// `Lines` are constructed from the data and what other kinds share.
 template <class Lines>
 constexpr FixedKind fixed_kind(LineKind kind) {
-    return {kind, [](const ExtractorData& data) -> std::unique_ptr<const FixedKindLines> {
-                return std::make_unique<const Lines>(data);
-            }};
+    return {
+        kind,
+        [](const ExtractorData& data, FixedLines& all) -> std::unique_ptr<const FixedKindLines> {
+            return std::make_unique<const Lines>(data, all);
+        }};
 }
 
 extern const FixedKind ridges;              ///< ridges.cpp
@@ -63,10 +68,15 @@ public:
     std::shared_ptr<const LineSet> whole(const ExtractorData& data, LineKind kind,
                                          const LineStyle& style);
 
+    /// The same for all that ask while lines are appended; not kept, for it is large.
+    std::shared_ptr<const Surface> surface(const ExtractorData& data);
+
 private:
     const FixedKindLines& find(const ExtractorData& data, std::size_t number);
 
     std::array<OnDemand<std::unique_ptr<const FixedKindLines>>, kFixedKindCount> found_;
+    std::mutex mutex_;
+    std::shared_ptr<const Surface> surface_;
 };
 
 }  // namespace laplacian_lines

@@ -12,12 +12,10 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kDegrees = 57.29577951308232f;
 constexpr float kNotch = 2;  // how much more the other diagonal of an edge of the form bends
 
 float bend(const Vector3f& a, const Vector3f& b, float length) {
-    if (b.isZero(0)) return 0;
-    return arc_tangent(length_of(a.cross(b)), dot(a, b)) * length;
+    return b.isZero(0) ? 0 : angle_between(a, b) * length;
 }
 
 /// Two triangles p, q, r and q, p, s with the four around them.
@@ -27,7 +25,7 @@ struct Quad {
     Vector3f around[4];     // normals beyond qr, rp, ps, sq; zero: none
 
     bool goes_on_flat(const Vector3f& normal, const Vector3f& beyond) const {
-        return !beyond.isZero(0) && bend(normal, beyond, kDegrees) < kFlat;
+        return !beyond.isZero(0) && angle_between(normal, beyond) < kFlat;
     }
     /// Whether both triangles are parts of larger flat faces, which the other diagonal would cut.
     bool parts_faces() const {
@@ -42,38 +40,32 @@ Vector3f normal_of(const Vector3f& a, const Vector3f& b, const Vector3f& c) {
     return most > 0 ? unit(area / most) : area;
 }
 
-Vector3f normal_beyond(const TriangleGraph& graph, const TriangleSide& side, float sign) {
-    const TriangleGraph::Node& node = graph.triangles[side.triangle];
-    const std::uint32_t next = node.neighbours[side.k];
-    if (next == TriangleGraph::kNone) return Vector3f::Zero();
-    return sign * node.sign_across(side.k) * graph.triangles[next].normal;
-}
-
 float cosine_of_edges() {
     static const float cosine = std::cos(kEdgeAngle / kDegrees);
     return cosine;
 }
 
-Quad quad_at(const TriangleGraph& graph, const TriangleSide& side) {
-    const auto [a, k] = side;
-    const auto [b, l] = side_beyond(graph, side);
-    const float sign = graph.triangles[a].sign_across(k);
-    Quad quad{graph.position(a, k),
-              graph.position(a, (k + 1) % 3),
-              graph.position(a, (k + 2) % 3),
-              graph.position(b, (l + 2) % 3),
-              graph.triangles[a].normal,
-              sign * graph.triangles[b].normal,
-              {}};
-    quad.around[0] = normal_beyond(graph, {a, (k + 1) % 3}, 1);
-    quad.around[1] = normal_beyond(graph, {a, (k + 2) % 3}, 1);
-    const bool from_q = graph.position(b, l) == quad.q;  // as triangles of one orientation have it
-    quad.around[2] = normal_beyond(graph, {b, (l + (from_q ? 1 : 2)) % 3}, sign);
-    quad.around[3] = normal_beyond(graph, {b, (l + (from_q ? 2 : 1)) % 3}, sign);
-    for (int i = 0; i < 4; ++i)  // edges of the form are no matter of diagonals
-        if (dot(i < 2 ? quad.upper : quad.lower, quad.around[i]) < cosine_of_edges())
-            quad.around[i].setZero();
-    return quad;
+/// Zero at borders, and at edges of the form, which are no matter of diagonals.
+Vector3f normal_beyond(const Surface& surface, std::uint32_t side, float sign) {
+    if (!surface.goes_on(side) || surface.cosine_across(side) < cosine_of_edges())
+        return Vector3f::Zero();
+    return sign * surface.sign_across(side) * surface.beyond(side).normal;
+}
+
+Quad quad_at(const Surface& surface, std::uint32_t side) {
+    const std::uint32_t other = surface.across(side);
+    const float sign = surface.sign_across(side);
+    // of triangles of one orientation, one side of the edge goes from p to q, the other from q to p
+    const std::uint32_t at_p = sign > 0 ? next_side(other) : last_side(other),
+                        at_q = sign > 0 ? last_side(other) : next_side(other);
+    return {surface.position(surface.begin(side)),
+            surface.position(surface.end(side)),
+            surface.position(surface.opposite(side)),
+            surface.position(surface.opposite(other)),
+            surface.facet(side / 3).normal,
+            sign * surface.beyond(side).normal,
+            {normal_beyond(surface, next_side(side), 1), normal_beyond(surface, last_side(side), 1),
+             normal_beyond(surface, at_p, sign), normal_beyond(surface, at_q, sign)}};
 }
 
 /// The sides qr, rp, ps, sq with the triangles that are at them.
@@ -88,8 +80,8 @@ float bend_around(const Quad& quad, const Vector3f* const (&normals)[4]) {
 
 }  // namespace
 
-bool is_mere_diagonal(const TriangleGraph& graph, const TriangleSide& side) {
-    const Quad quad = quad_at(graph, side);
+bool is_mere_diagonal(const Surface& surface, std::uint32_t side) {
+    const Quad quad = quad_at(surface, side);
     if (quad.parts_faces()) return false;
     const Vector3f left = normal_of(quad.p, quad.s, quad.r),
                    right = normal_of(quad.s, quad.q, quad.r);

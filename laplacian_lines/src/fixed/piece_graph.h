@@ -19,8 +19,13 @@ public:
     /// The number of the node with this key; the next one if there was none.
     std::uint32_t node(std::uint64_t key) {
         const auto [place, is_new] = numbers_.try_emplace(key, std::uint32_t(at_.size()));
-        if (is_new) at_.emplace_back();
+        if (is_new) add_node();
         return place->second;
+    }
+    /// The number of a node without a key.
+    std::uint32_t add_node() {
+        at_.emplace_back();
+        return std::uint32_t(at_.size() - 1);
     }
     std::size_t node_count() const { return at_.size(); }
     std::uint32_t pieces_at(std::uint32_t node) const { return at_[node].count; }
@@ -54,8 +59,8 @@ private:
 
 /// Appends a line to `lines`, of length in D, without smoothing. `position_of(node)`: local.
 template <class PositionOf>
-void append_line(const ExtractorData& data, LineKind kind, const PieceGraph::Line& line,
-                 PositionOf position_of, LineSet& lines) {
+Polyline& append_line(const ExtractorData& data, LineKind kind, const PieceGraph::Line& line,
+                      PositionOf position_of, LineSet& lines) {
     Polyline appended;
     appended.kind = kind;
     appended.closed = line.is_closed;
@@ -67,6 +72,7 @@ void append_line(const ExtractorData& data, LineKind kind, const PieceGraph::Lin
         if (i > 0) appended.length += length_of(here - position_of(line.nodes[i - 1]));
     }
     lines.lines.push_back(appended);
+    return lines.lines.back();
 }
 
 }  // namespace laplacian_lines

@@ -91,14 +91,14 @@ class LineAngles {
 public:
     LineAngles(std::uint32_t count, const Form* forms) : count_(count), forms_(forms) {}
 
-    void measure(const TriangleGraph& graph, float sign) {
+    void measure(const Surface& surface, float sign) {
         measure_ways();
         choose_samples();
         const std::size_t n = samples_.size();
         profiles_.resize(n);
         turns_.resize(n);
         for (std::size_t s = 0; s < n; ++s) {
-            profiles_[s].measure(graph, section(samples_[s]), sign, kReach);
+            profiles_[s].measure(surface, section(samples_[s]), sign, kReach);
             turns_[s] = Turns(profiles_[s]);
         }
         angles_.resize(n);
@@ -184,13 +184,13 @@ private:
 
 }  // namespace
 
-void measure_ridge_angles(const ExtractorData& data, Crest crest, RidgeCandidates& candidates) {
-    const TriangleGraph graph = build_triangle_graph(data);
+void measure_ridge_angles(const ExtractorData& data, const Surface& surface, Crest crest,
+                          RidgeCandidates& candidates) {
     LineSet& lines = candidates.lines;
     in_parallel(lines.lines.size(), [&](std::size_t number) {
         const Polyline& line = lines.lines[number];
         LineAngles angles(line.count, candidates.forms.data() + line.first);
-        angles.measure(graph, crest.sign);
+        angles.measure(surface, crest.sign);
         angles.write(float(data.diagonal), lines.points.data() + line.first);
     });
 }

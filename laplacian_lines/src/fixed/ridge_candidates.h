@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "fixed/surface.h"
 #include "fixed/zero_lines.h"
 
 namespace laplacian_lines {
@@ -32,6 +33,7 @@ RidgeCandidates find_ridge_candidates(const ExtractorData& data, Crest crest);
 /// within 2 % of D to both sides, in the mean along 1.5 % of the line, whatever the triangles' and
 /// the kernel's size; less, down to 0, where the surface goes on turning as fast beyond, as a bump
 /// does, or turns on one side only. The number of threads does not matter.
-void measure_ridge_angles(const ExtractorData& data, Crest crest, RidgeCandidates& candidates);
+void measure_ridge_angles(const ExtractorData& data, const Surface& surface, Crest crest,
+                          RidgeCandidates& candidates);
 
 }  // namespace laplacian_lines

@@ -16,15 +16,16 @@ constexpr float kNearCrease = 0.01f;  // D
 constexpr float kFading = 5;          // a soft edge is paler than a sharp one
 constexpr float kClearance = 4;       // the contour of a rounded edge stays near its crest for long
 
-RidgeCandidates find_ridges(const ExtractorData& data, Crest crest) {
+RidgeCandidates find_ridges(const ExtractorData& data, FixedLines& all, Crest crest) {
     RidgeCandidates found = find_ridge_candidates(data, crest);
-    measure_ridge_angles(data, crest, found);
+    measure_ridge_angles(data, *all.surface(data), crest, found);
     return found;
 }
 
 class CrestLines : public FixedKindLines {
 public:
-    CrestLines(const ExtractorData& data, Crest crest) : found_(find_ridges(data, crest)) {}
+    CrestLines(const ExtractorData& data, FixedLines& all, Crest crest)
+        : found_(find_ridges(data, all, crest)) {}
 
     void append(const ExtractorData& data, FixedLines& all, const LocalEye& eye,
                 const LineStyle& style, LineSet& lines) const override {
@@ -61,12 +62,12 @@ private:
 
 class Ridges : public CrestLines {
 public:
-    explicit Ridges(const ExtractorData& data) : CrestLines(data, kConvexCrest) {}
+    Ridges(const ExtractorData& data, FixedLines& all) : CrestLines(data, all, kConvexCrest) {}
 };
 
 class Valleys : public CrestLines {
 public:
-    explicit Valleys(const ExtractorData& data) : CrestLines(data, kConcaveCrest) {}
+    Valleys(const ExtractorData& data, FixedLines& all) : CrestLines(data, all, kConcaveCrest) {}
 };
 
 }  // namespace

@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fixed/surface_walk.h"
 #include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
 
-constexpr float kDegrees = 57.29577951308232f;
 constexpr std::size_t kMostSteps = 4096;  // a section may run around a form that is smaller
 
 /// A point of the surface and its normal, of any length.
@@ -48,96 +46,86 @@ Plane crossing_plane(const Section& section, const VertexRecord& a, const Vertex
     return plane;
 }
 
-constexpr TriangleSide kNoSide{TriangleGraph::kNone, 0};
-
-bool exists(const TriangleSide& side) {
-    return side.triangle != TriangleGraph::kNone;
-}
-
-const VertexRecord& record_at(const TriangleGraph& graph, const TriangleSide& side, unsigned next) {
-    return graph.records[graph.triangles[side.triangle].corners[(side.k + next) % 3]];
-}
+constexpr std::uint32_t kNoSide = 0xffffffffu;
 
 /// The side of the triangle beyond, if that has the same orientation.
-TriangleSide beyond(const TriangleGraph& graph, const TriangleSide& side) {
-    const TriangleGraph::Node& node = graph.triangles[side.triangle];
-    const bool goes_on =
-        node.neighbours[side.k] != TriangleGraph::kNone && node.sign_across(side.k) > 0;
-    return goes_on ? side_beyond(graph, side) : kNoSide;
+std::uint32_t beyond(const Surface& surface, std::uint32_t side) {
+    return surface.sides().has_neighbour(side) && surface.sign_across(side) > 0
+               ? surface.across(side)
+               : kNoSide;
 }
 
 /// Where the plane leaves the triangle that it enters by a side; that side becomes the one by which
 /// it leaves.
-SurfacePoint leave(const TriangleGraph& graph, const Plane& plane, TriangleSide& at) {
-    const auto height = [&](unsigned next) { return plane.height(record_at(graph, at, next)); };
-    const bool is_by_next = (height(2) < 0) == (height(0) < 0);
-    at.k = (at.k + (is_by_next ? 1 : 2)) % 3;
-    const float begin = height(0), fall = begin - height(1);
+SurfacePoint leave(const Surface& surface, const Plane& plane, std::uint32_t& at) {
+    const auto height = [&](std::uint32_t v) { return plane.height(surface.record(v)); };
+    const bool is_by_next = (height(surface.opposite(at)) < 0) == (height(surface.begin(at)) < 0);
+    at = is_by_next ? next_side(at) : last_side(at);
+    const float begin = height(surface.begin(at)), fall = begin - height(surface.end(at));
     const float t = fall != 0 ? std::clamp(begin / fall, 0.f, 1.f) : 0.5f;
-    return between(record_at(graph, at, 0), record_at(graph, at, 1), t);
-}
-
-/// Calls read(a, b, t) with the neighbours of a place among others and its share of the distance
-/// between them.
-template <class Side, class Read>
-auto interpolate(const Side& side, float distance, Read read) {
-    const auto after =
-        std::lower_bound(side.begin(), side.end(), distance,
-                         [](const auto& place, float d) { return place.distance < d; });
-    if (after == side.begin()) return read(*after, *after, 0.f);
-    if (after == side.end()) return read(side.back(), side.back(), 0.f);
-    const auto &a = *(after - 1), &b = *after;
-    return read(a, b, (distance - a.distance) / (b.distance - a.distance));
+    return between(surface.record(surface.begin(at)), surface.record(surface.end(at)), t);
 }
 
 }  // namespace
 
-void SectionProfile::measure(const TriangleGraph& graph, const Section& section, float sign,
+void SectionProfile::measure(const Surface& surface, const Section& section, float sign,
                              float reach) {
-    const Plane plane = crossing_plane(section, record_at(graph, section.side, 0),
-                                       record_at(graph, section.side, 1));
-    TriangleSide at[2] = {section.side, beyond(graph, section.side)};
+    const Plane plane = crossing_plane(section, surface.record(surface.begin(section.side)),
+                                       surface.record(surface.end(section.side)));
+    std::uint32_t at[2] = {section.side, beyond(surface, section.side)};
     SurfacePoint next[2];
     float along[2] = {0, 0};
     for (int k = 0; k < 2; ++k)
-        if (exists(at[k])) {
-            next[k] = leave(graph, plane, at[k]);
+        if (at[k] != kNoSide) {
+            next[k] = leave(surface, plane, at[k]);
             along[k] = dot(next[k].position - section.point, section.across);
         }
-    // Which of the two triangles is on the positive side.
-    const bool is_first = along[0] > along[1];
     const Eigen::Vector3f up = unit(section.normal);
-    for (int k = 0; k < 2; ++k) {
-        const bool is_positive = (k == 0) == is_first;
-        const Eigen::Vector3f forward = is_positive ? section.across : -section.across;
-        Side& side = sides_[is_positive];
-        side.assign(1, {0, 0, section.point});
-        while (exists(at[k])) {
-            const Place& last = side.back();
-            const float distance = last.distance + length_of(next[k].position - last.position);
-            const float angle = sign *
-                                arc_tangent(dot(next[k].normal, forward), dot(next[k].normal, up)) *
-                                kDegrees;
-            side.push_back({distance, angle, next[k].position});
-            if (distance >= reach || side.size() > kMostSteps) break;
-            at[k] = beyond(graph, at[k]);
-            if (exists(at[k])) next[k] = leave(graph, plane, at[k]);
+    places_.clear();
+    for (const float way : {-1.f, 1.f}) {
+        const int k = (way > 0) == (along[0] > along[1]) ? 0 : 1;  // the triangle on this side
+        const std::size_t most = places_.size() + kMostSteps;
+        if (way > 0) {
+            std::reverse(places_.begin(), places_.end());
+            places_.push_back({0, 0, section.point});
+        }
+        Place last = {0, 0, section.point};
+        while (at[k] != kNoSide && std::abs(last.distance) < reach && places_.size() < most) {
+            last.distance += way * length_of(next[k].position - last.position);
+            last.angle = sign *
+                         arc_tangent(dot(next[k].normal, section.across), dot(next[k].normal, up)) *
+                         kDegrees;
+            last.position = next[k].position;
+            places_.push_back(last);
+            at[k] = beyond(surface, at[k]);
+            if (at[k] != kNoSide) next[k] = leave(surface, plane, at[k]);
         }
     }
 }
 
+/// Calls read(a, b, t) with the neighbours of a place among those that are known, and its share of
+/// the distance between them.
+template <class Read>
+auto SectionProfile::interpolate(float distance, Read read) const {
+    const auto after =
+        std::lower_bound(places_.begin(), places_.end(), distance,
+                         [](const Place& place, float d) { return place.distance < d; });
+    if (after == places_.begin()) return read(*after, *after, 0.f);
+    if (after == places_.end()) return read(places_.back(), places_.back(), 0.f);
+    const Place &a = *(after - 1), &b = *after;
+    return read(a, b, (distance - a.distance) / (b.distance - a.distance));
+}
+
 float SectionProfile::angle(float distance) const {
-    const float angle = interpolate(
-        side(distance), std::abs(distance),
-        [](const Place& a, const Place& b, float t) { return (1 - t) * a.angle + t * b.angle; });
-    return distance < 0 ? -angle : angle;
+    return interpolate(distance, [](const Place& a, const Place& b, float t) {
+        return (1 - t) * a.angle + t * b.angle;
+    });
 }
 
 Eigen::Vector3f SectionProfile::position(float distance) const {
-    return interpolate(side(distance), std::abs(distance),
-                       [](const Place& a, const Place& b, float t) -> Eigen::Vector3f {
-                           return (1 - t) * a.position + t * b.position;
-                       });
+    return interpolate(distance, [](const Place& a, const Place& b, float t) -> Eigen::Vector3f {
+        return (1 - t) * a.position + t * b.position;
+    });
 }
 
 float SectionProfile::middle(float reach) const {

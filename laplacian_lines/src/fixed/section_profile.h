@@ -4,13 +4,13 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "fixed/triangle_graph.h"
+#include "fixed/surface.h"
 
 namespace laplacian_lines {
 
-/// A point on a side of a triangle, and a plane through it. Local coordinates.
+/// A point on a side of Surface, and a plane through it. Local coordinates.
 struct Section {
-    TriangleSide side;
+    std::uint32_t side;
     Eigen::Vector3f point, normal;  ///< of the surface; the normal has any length
     Eigen::Vector3f across;         ///< in the plane, tangential, unit, to the positive side
 };
@@ -22,7 +22,7 @@ class SectionProfile {
 public:
     /// Walks over the surface from triangle to triangle, as far as `reach` to both sides, if it
     /// does not end before. `sign` is what angles are multiplied by: −1 for concave edges.
-    void measure(const TriangleGraph& graph, const Section& section, float sign, float reach);
+    void measure(const Surface& surface, const Section& section, float sign, float reach);
 
     /// Beyond the ends of the section the surface goes on without a turn.
     float angle(float distance) const;
@@ -32,15 +32,13 @@ public:
 
 private:
     struct Place {
-        float distance;  // to its side, not negative
-        float angle;     // positive where the surface is convex, to either side
+        float distance, angle;
         Eigen::Vector3f position;
     };
-    using Side = std::vector<Place>;  // from the point on, which is among them
+    template <class Read>
+    auto interpolate(float distance, Read read) const;
 
-    const Side& side(float distance) const { return sides_[distance < 0 ? 0 : 1]; }
-
-    Side sides_[2];
+    std::vector<Place> places_;  // along the section
 };
 
 }  // namespace laplacian_lines

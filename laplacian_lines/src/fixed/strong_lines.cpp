@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "fixed/line_copies.h"
 #include "fixed/line_smoothing.h"
 #include "rules/opacity.h"
 #include "rules/runs.h"
@@ -14,28 +15,17 @@ namespace {
 constexpr float kWeak = 0.5f;      // of the least gradient: continues what is stronger
 constexpr float kPlainAngle = 45;  // degrees; up to which a piece counts once
 
-/// Successive points of a line; of a closed one they may run over its end.
-struct Stretch {
-    std::uint32_t first, count;
-    std::uint32_t period;  // points of the line, without the copy of a closed one's first
-    bool is_closed;        // all of a closed line
-
-    /// The place of point i in the line.
-    std::uint32_t point(std::uint32_t i) const { return (first + i) % period; }
-};
-
 /// In D.
 struct StretchLengths {
     float all = 0;
     float strong = 0;  // of the part that has the gradient, the longest, by sharpness
 };
 
-StretchLengths measure(const Stretch& stretch, const LinePoint* points, float least,
-                       float diagonal) {
+StretchLengths measure(const LinePoint* points, std::uint32_t count, float least, float diagonal) {
     StretchLengths lengths;
     float strong = 0;
-    for (std::uint32_t i = 1; i < stretch.count; ++i) {
-        const LinePoint &a = points[stretch.point(i - 1)], &b = points[stretch.point(i)];
+    for (std::uint32_t i = 1; i < count; ++i) {
+        const LinePoint &a = points[i - 1], &b = points[i];
         const float length = length_of(b.position - a.position) / diagonal;
         lengths.all += length;
         const float sharp = std::min(a.gradient, b.gradient), ratio = sharp / kPlainAngle;
@@ -44,13 +34,6 @@ StretchLengths measure(const Stretch& stretch, const LinePoint* points, float le
         lengths.strong = std::max(lengths.strong, strong);
     }
     return lengths;
-}
-
-/// From nothing at the angle to full at (1 + fading) times it.
-float angle_opacity(float angle, float least_angle, float fading) {
-    if (angle < least_angle) return 0;
-    const float range = least_angle * fading;
-    return range > 0 ? std::min((angle - least_angle) / range, 1.f) : 1.f;
 }
 
 /// Of a point beside contours.
@@ -80,35 +63,32 @@ void StrongLines::append(const ExtractorData& data, const LocalEye& eye,
         const Polyline& whole = found_.lines.lines[number];
         if (strongest_[number] < rules.least || whole.length < rules.least_length) continue;
         const LinePoint* points = found_.lines.points.data() + whole.first;
-        const std::uint32_t period = whole.closed ? whole.count - 1 : whole.count;
+        const std::uint32_t period = point_count(whole);
         const auto is_in = [&](std::size_t i) { return points[i].gradient >= weak; };
         for_each_run(period, whole.closed, is_in, [&](std::size_t begin, std::size_t count) {
             const bool is_all = whole.closed && count == period;
-            const Stretch stretch{std::uint32_t(begin), std::uint32_t(count) + is_all, period,
-                                  is_all};
+            Polyline& line = append_points(found_.lines, whole, begin, count + is_all, lines);
+            LinePoint* const shown = lines.points.data() + line.first;
             const StretchLengths lengths =
-                measure(stretch, points, rules.least, float(data.diagonal));
-            if (stretch.count < 2 || lengths.all < rules.least_length ||
-                lengths.strong < rules.least_strong)
+                measure(shown, line.count, rules.least, float(data.diagonal));
+            if (line.count < 2 || lengths.all < rules.least_length ||
+                lengths.strong < rules.least_strong) {
+                lines.points.resize(line.first);
+                lines.lines.pop_back();
                 return;
-            Polyline line = whole;
-            line.first = std::uint32_t(lines.points.size());
-            line.count = stretch.count;
-            line.closed = stretch.is_closed;
+            }
             line.length = lengths.all;
-            for (std::uint32_t i = 0; i < stretch.count; ++i) {
-                const std::uint32_t place = whole.first + stretch.point(i);
-                LinePoint point = found_.lines.points[place];
+            for (std::size_t i = 0; i < line.count; ++i) {
+                const std::size_t place = whole.first + (begin + i) % period;
+                LinePoint& point = shown[i];
                 point.opacity = point.weight =
                     left_out && (*left_out)[place]
                         ? 0
-                        : angle_opacity(point.gradient, weak, rules.fading) *
+                        : rise(point.gradient, weak, weak * (1 + rules.fading)) *
                               contour_opacity(data, eye, rules.clearance, point,
                                               found_.forms[place]);
-                lines.points.push_back(point);
             }
-            smooth_positions(line, lines.points.data() + line.first, rules.smoothing_passes);
-            lines.lines.push_back(line);
+            smooth_positions(line, shown, rules.smoothing_passes);
         });
     }
 }

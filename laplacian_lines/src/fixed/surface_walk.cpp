@@ -13,36 +13,32 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kDegrees = 57.29577951308232f;
 constexpr float kWall = 2;       // times an edge's angle
 constexpr float kAcross = 0.5f;  // sine between a path and a wall at which it ends
 constexpr float kMostLean = 0.9999f;
 
-Vector3f direction_of(const TriangleGraph& graph, const TriangleSide& side) {
-    return unit(graph.position(side.triangle, (side.k + 1) % 3) -
-                graph.position(side.triangle, side.k));
+Vector3f direction_of(const Surface& surface, std::uint32_t side) {
+    return unit(surface.span(side));
 }
 
 /// Unit, in the triangle's plane, out of it across a side.
-Vector3f outwards(const TriangleGraph& graph, const TriangleSide& side) {
-    return direction_of(graph, side).cross(graph.triangles[side.triangle].normal);
+Vector3f outwards(const Surface& surface, std::uint32_t side) {
+    return direction_of(surface, side).cross(surface.facet(side / 3).normal);
 }
 
 float arc_sine(float sine) {
     return float(std::asin(std::clamp(double(sine), -1., 1.)));
 }
 
-/// Whether the edge at a side, which there has to be, is bent by less.
-bool is_within(const TriangleGraph& graph, const TriangleSide& side, const SmallAngle& angle) {
-    const float cosine = graph.cosine_across(side.triangle, side.k);
+/// Whether the edge at a side where the surface goes on is bent by less.
+bool is_within(const Surface& surface, std::uint32_t side, const SmallAngle& angle) {
+    const float cosine = surface.cosine_across(side);
     return cosine > angle.cosine_below ||
-           (cosine >= angle.cosine_above && std::abs(signed_angle(graph, side)) < angle.degrees);
+           (cosine >= angle.cosine_above && std::abs(signed_angle(surface, side)) < angle.degrees);
 }
 
-bool is_wall(const TriangleGraph& graph, const TriangleSide& side, const SmallAngle& least) {
-    const std::uint32_t next = graph.triangles[side.triangle].neighbours[side.k];
-    return next == TriangleGraph::kNone || graph.triangles[next].normal.isZero(0) ||
-           !is_within(graph, side, least);
+bool is_wall(const Surface& surface, std::uint32_t side, const SmallAngle& least) {
+    return !surface.goes_on(side) || !is_within(surface, side, least);
 }
 
 /// What turns so much beside an edge is no part of a face that goes on across it.
@@ -51,43 +47,27 @@ SmallAngle wall_angle(float angle) {
 }
 
 /// From a side along the only other one that is a wall; zero: none is, or both.
-Vector3f along_wall(const TriangleGraph& graph, const TriangleSide& side, const SmallAngle& least) {
-    const TriangleSide next{side.triangle, (side.k + 1) % 3}, last{side.triangle, (side.k + 2) % 3};
-    const bool is_next = is_wall(graph, next, least);
-    if (is_next == is_wall(graph, last, least)) return Vector3f::Zero();
-    return is_next ? direction_of(graph, next) : Vector3f(-direction_of(graph, last));
+Vector3f along_wall(const Surface& surface, std::uint32_t side, const SmallAngle& least) {
+    const std::uint32_t next = next_side(side), last = last_side(side);
+    const bool is_next = is_wall(surface, next, least);
+    if (is_next == is_wall(surface, last, least)) return Vector3f::Zero();
+    return is_next ? direction_of(surface, next) : Vector3f(-direction_of(surface, last));
 }
 
 }  // namespace
 
-TriangleSide side_beyond(const TriangleGraph& graph, const TriangleSide& side) {
-    const std::uint32_t next = graph.triangles[side.triangle].neighbours[side.k];
-    const Vector3f a = graph.position(side.triangle, side.k),
-                   b = graph.position(side.triangle, (side.k + 1) % 3);
-    unsigned any = 0;
-    for (unsigned k = 0; k < 3; ++k) {
-        if (graph.triangles[next].neighbours[k] != side.triangle) continue;
-        any = k;
-        const Vector3f c = graph.position(next, k), d = graph.position(next, (k + 1) % 3);
-        if ((c == a && d == b) || (c == b && d == a)) return {next, k};
-    }
-    return {next, any};
-}
-
-float signed_angle(const TriangleGraph& graph, const TriangleSide& side) {
-    const TriangleGraph::Node& node = graph.triangles[side.triangle];
-    const Vector3f other =
-        node.sign_across(side.k) * graph.triangles[node.neighbours[side.k]].normal;
-    return arc_tangent(dot(node.normal.cross(other), direction_of(graph, side)),
-                       dot(node.normal, other)) *
+float signed_angle(const Surface& surface, std::uint32_t side) {
+    const Vector3f& normal = surface.facet(side / 3).normal;
+    const Vector3f other = surface.sign_across(side) * surface.beyond(side).normal;
+    return arc_tangent(dot(normal.cross(other), direction_of(surface, side)), dot(normal, other)) *
            kDegrees;
 }
 
-float lean_of_walls(const TriangleGraph& graph, const TriangleSide& side) {
-    const TriangleSide beyond = side_beyond(graph, side);
-    const Vector3f along = direction_of(graph, side);
-    const SmallAngle least = wall_angle(signed_angle(graph, side));
-    const Vector3f here = along_wall(graph, side, least), there = -along_wall(graph, beyond, least);
+float lean_of_walls(const Surface& surface, std::uint32_t side) {
+    const Vector3f along = direction_of(surface, side);
+    const SmallAngle least = wall_angle(signed_angle(surface, side));
+    const Vector3f here = along_wall(surface, side, least),
+                   there = -along_wall(surface, surface.across(side), least);
     if (here.isZero(0) || there.isZero(0)) return 0;
     const float a = arc_sine(dot(here, along)), b = arc_sine(dot(there, along));
     const float lean = std::sin((a + b) / 2);
@@ -101,72 +81,64 @@ SmallAngle::SmallAngle(float size) : degrees(size) {
     cosine_above = cosine - kRounding;
 }
 
-SurfaceWalk::SurfaceWalk(const TriangleGraph& graph, const TriangleSide& from, float lean)
-    : graph_(graph),
+SurfaceWalk::SurfaceWalk(const Surface& surface, std::uint32_t from, float lean)
+    : surface_(surface),
       at_(from),
-      place_((graph.position(from.triangle, from.k) +
-              graph.position(from.triangle, (from.k + 1) % 3)) /
-             2),
-      direction_(lean * direction_of(graph, from) -
-                 std::sqrt(1 - lean * lean) * outwards(graph, from)),
+      place_((surface.position(surface.begin(from)) + surface.position(surface.end(from))) / 2),
+      direction_(lean * direction_of(surface, from) -
+                 std::sqrt(1 - lean * lean) * outwards(surface, from)),
       tangent_of_lean_(lean / std::sqrt(1 - lean * lean)),
-      wall_angle_(wall_angle(signed_angle(graph, from))) {
+      wall_angle_(wall_angle(signed_angle(surface, from))) {
     cross();
 }
 
 template <class Is>
 bool SurfaceWalk::has_side(const Is& is) const {
-    const TriangleGraph::Node& node = graph_.triangles[at_.triangle];
-    for (unsigned k = 0; k < 3; ++k) {
-        const std::uint32_t next = node.neighbours[k];
-        if (k == at_.k || next == TriangleGraph::kNone) continue;
-        if (!graph_.triangles[next].normal.isZero(0) && is(TriangleSide{at_.triangle, k}))
-            return true;
-    }
+    for (const std::uint32_t side : {next_side(at_), last_side(at_)})
+        if (surface_.goes_on(side) && is(side)) return true;
     return false;
 }
 
 bool SurfaceWalk::has_side_between(float least, float most) const {
-    return has_side([&](const TriangleSide& side) {
-        const float angle = sign_ * signed_angle(graph_, side);
+    return has_side([&](std::uint32_t side) {
+        const float angle = sign_ * signed_angle(surface_, side);
         return angle > least && angle < most;
     });
 }
 
 bool SurfaceWalk::has_side_within(const SmallAngle& angle) const {
-    return has_side([&](const TriangleSide& side) { return is_within(graph_, side, angle); });
+    return has_side([&](std::uint32_t side) { return is_within(surface_, side, angle); });
 }
 
 bool SurfaceWalk::goes_on_within(const SmallAngle& angle) const {
-    return goes_on_ && graph_.cosine_across(at_.triangle, exit_) > angle.cosine_below;
+    return goes_on_ && surface_.cosine_across(exit_) > angle.cosine_below;
 }
 
 void SurfaceWalk::cross() {
-    const TriangleGraph::Node& node = graph_.triangles[at_.triangle];
-    const Vector3f aside = direction_ - tangent_of_lean_ * sign_ * direction_.cross(node.normal);
-    centre_ = begin_ + dot(node.centre - place_, aside);
+    const Surface::Facet& facet = surface_.facet(at_ / 3);
+    const Vector3f aside = direction_ - tangent_of_lean_ * sign_ * direction_.cross(facet.normal);
+    centre_ = begin_ + dot(facet.centre - place_, aside);
     end_ = begin_;
-    if (!find_exit(at_.k)) return;
-    const unsigned wall = exit_;
-    if (slant_ >= kAcross || !is_wall(graph_, {at_.triangle, wall}, wall_angle_)) return;
+    if (!find_exit(at_)) return;
+    const std::uint32_t wall = exit_;
+    if (slant_ >= kAcross || !is_wall(surface_, wall, wall_angle_)) return;
     direction_ = dot(direction_, along_) > 0 ? along_ : -along_;
     // the side that is left, unless the path has come from there
     if (!find_exit(wall)) goes_on_ = false;
 }
 
-bool SurfaceWalk::find_exit(unsigned wall) {
-    const TriangleGraph::Node& node = graph_.triangles[at_.triangle];
+bool SurfaceWalk::find_exit(std::uint32_t wall) {
     float nearest = std::numeric_limits<float>::max();
-    for (unsigned k = 0; k < 3; ++k) {
-        if (k == at_.k || k == wall) continue;
-        const Vector3f along = direction_of(graph_, {at_.triangle, k});
-        const Vector3f out = along.cross(node.normal);
+    for (const std::uint32_t side : {next_side(at_), last_side(at_)}) {
+        if (side == wall) continue;
+        const Vector3f along = direction_of(surface_, side);
+        const Vector3f out = along.cross(surface_.facet(at_ / 3).normal);
         const float slant = dot(direction_, out);
         if (!(slant > 1e-6f)) continue;
-        const float distance = dot(graph_.position(at_.triangle, k) - place_, out) / slant;
+        const float distance = dot(surface_.position(surface_.begin(side)) - place_, out) / slant;
         if (distance >= nearest) continue;
         nearest = distance;
-        exit_ = k;
+        exit_ = side;
         along_ = along;
         slant_ = slant;
     }
@@ -174,16 +146,14 @@ bool SurfaceWalk::find_exit(unsigned wall) {
     if (!goes_on_) return false;
     end_ += std::max(nearest, 0.f);
     place_ += std::max(nearest, 0.f) * direction_;
-    const std::uint32_t next = node.neighbours[exit_];
-    goes_on_ = next != TriangleGraph::kNone && !graph_.triangles[next].normal.isZero(0);
+    goes_on_ = surface_.goes_on(exit_);
     return true;
 }
 
 void SurfaceWalk::go_on() {
-    const TriangleSide exit{at_.triangle, exit_};
-    const TriangleSide next = side_beyond(graph_, exit);
-    sign_ *= graph_.triangles[at_.triangle].sign_across(exit_);
-    direction_ = unit(dot(direction_, along_) * along_ - slant_ * outwards(graph_, next));
+    const std::uint32_t next = surface_.across(exit_);
+    sign_ *= surface_.sign_across(exit_);
+    direction_ = unit(dot(direction_, along_) * along_ - slant_ * outwards(surface_, next));
     begin_ = end_;
     at_ = next;
     cross();

@@ -21,11 +21,10 @@ ZeroLines trace_zeros(const ExtractorData& data, LineKind kind, float least_leng
         }
     ZeroLines found;
     for (const PieceGraph::Line& line : graph.lines()) {
-        append_line(
+        const Polyline& traced = append_line(
             data, kind, line,
             [&](std::uint32_t n) -> const Eigen::Vector3f& { return forms[n]->position; },
             found.lines);
-        const Polyline& traced = found.lines.lines.back();
         if (traced.length < least_length) {
             found.lines.points.resize(traced.first);
             found.lines.lines.pop_back();

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "fixed/triangle_graph.h"
+#include "clusters/extractor_data.h"
 #include "laplacian_lines/line_set.h"
 #include "system/parallel.h"
 
@@ -21,7 +21,7 @@ struct ZeroLines {
         Eigen::Vector3f position;
         Eigen::Vector3f normal;  ///< n, about unit
         Eigen::Vector3f bend;    ///< the larger curvature times its direction, of either sign
-        TriangleSide side;       ///< on which the point lies
+        std::uint32_t side;      ///< of Surface, on which the point lies
         float value;             ///< what the kind of lines measures there, if anything
     };
     LineSet lines;            ///< opacity and weight are 1, what else is in a point says nothing
@@ -66,7 +66,7 @@ ZeroPiece zero_piece(const PlacedCluster& placed, unsigned triangle, const bool 
                           {(1 - t) * position_of(p) + t * position_of(q),
                            (1 - t) * normal_of(p) + t * normal_of(q),
                            (1 - t) * of.first.bend + t * of.second.bend,
-                           {placed.first_triangle + triangle, k},
+                           3 * (placed.first_triangle + triangle) + k,
                            (1 - t) * of.first.value + t * of.second.value}};
     }
     return piece;

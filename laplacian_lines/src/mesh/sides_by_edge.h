@@ -30,6 +30,13 @@ inline std::uint32_t end_of(const std::vector<Triangle>& triangles, std::uint32_
 inline Edge edge_of(const std::vector<Triangle>& triangles, std::uint32_t side) {
     return edge_between(begin_of(triangles, side), end_of(triangles, side));
 }
+/// The sides of the same triangle after and before it.
+inline std::uint32_t next_side(std::uint32_t side) {
+    return side % 3 == 2 ? side - 2 : side + 1;
+}
+inline std::uint32_t last_side(std::uint32_t side) {
+    return side % 3 == 0 ? side + 2 : side - 1;
+}
 
 /// Gathers the sides 0 <= i < count that lie on the same edge_of(i), between `vertices`: calls
 /// visit(begin, end, found) with the sides of each edge, ascending. Edges are visited in ascending

@@ -131,13 +131,13 @@ void for_each_element(std::size_t count, Body body) {
     });
 }
 
-/// What find(i, found) appends to `found`, in the order of i.
+/// What find(i, found) appends to `found`, in the order of i; `grain` of them at a time.
 template <class T, class Find>
-std::vector<T> collect(std::size_t count, Find find) {
-    std::vector<std::vector<T>> found(block_count(count));
-    in_blocks(count, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            find(std::uint32_t(i), found[begin / kBlockElements]);
+std::vector<T> collect(std::size_t count, Find find, std::size_t grain = kBlockElements) {
+    std::vector<std::vector<T>> found((count + grain - 1) / grain);
+    in_parallel(found.size(), [&](std::size_t block) {
+        for (std::size_t i = block * grain; i < std::min(count, (block + 1) * grain); ++i)
+            find(std::uint32_t(i), found[block]);
     });
     std::vector<T> all;
     for (const auto& of_block : found)

@@ -18,7 +18,8 @@ const VertexPlaces& CreaseMarker::places() const {
         for (std::size_t e = 0; e < mesh_.edge_count(); ++e)
             for (const std::uint32_t v : mesh_.edges[e].vertices)
                 are_used[v] = true;
-        return std::make_unique<const VertexPlaces>(mesh_, are_used);
+        return std::make_unique<const VertexPlaces>(mesh_,
+                                                    [&](std::uint32_t v) { return are_used[v]; });
     });
 }
 

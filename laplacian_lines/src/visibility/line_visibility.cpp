@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "clusters/coarseness.h"
+#include "fixed/line_copies.h"
 #include "laplacian_lines/precompute_options.h"
 #include "mesh/orientation.h"
 #include "system/on_demand.h"
@@ -41,14 +42,6 @@ double winding_number(const PreparedMesh& mesh, const Eigen::Vector3d& point) {
     return sum / (4 * std::acos(-1.0));
 }
 
-void append(const LineSet& from, const Polyline& line, LineSet& to) {
-    Polyline result = line;
-    result.first = std::uint32_t(to.points.size());
-    const auto first = from.points.begin() + line.first;
-    to.points.insert(to.points.end(), first, first + line.count);
-    to.lines.push_back(result);
-}
-
 void append(const SightLine& line, double diagonal, LineSet& to) {
     Polyline result;
     result.first = std::uint32_t(to.points.size());
@@ -75,13 +68,12 @@ std::vector<SightLine> look_at(const SightMesh& mesh, const CreaseMarker& crease
     const Picture picture(mesh, frame, stage.part(0, 0.3));
     const SightSegments segments = find_sight_segments(picture, *creases.mark(lines), lines);
     stage.report(0.4);
-    const auto crossings = find_crossings(segments, stage.part(0.4, 0.6));
-    const auto pieces = find_sight_pieces(segments, crossings, stage.part(0.6, 0.95));
-    std::vector<SightLine> traced;
-    trace_edges(segments, pieces, options, traced);
-    trace_surface_lines(segments, pieces, lines, options, traced);
+    const auto crossings = find_crossings(segments);
+    stage.report(0.6);
+    auto pieces = find_sight_pieces(segments, crossings, stage.part(0.6, 0.95));
+    mend_lines(segments, pieces);
     stage.report(1);
-    return traced;
+    return trace_lines(segments, pieces, options);
 }
 
 /// For an eye within the mesh: of the part before it.
@@ -140,13 +132,13 @@ LineSet extract_on_surface(const LineExtractor& extractor, const View& view, con
     extractor.extract(view, unsmoothed, scratch, all);
     result.origin = all.origin;
     for (const Polyline& line : all.lines)
-        if (!is_edge_kind(line.kind)) append(all, line, result);
+        if (!is_edge_kind(line.kind)) append_whole(all, line, result);
     if (!style.shows[LineKind::Crease]) return result;
     unsmoothed.shows = {};  // without contours, which would take creases on the horizon away
     unsmoothed.shows[LineKind::Crease] = true;
     extractor.extract(view, unsmoothed, scratch, all);
     for (const Polyline& line : all.lines)
-        append(all, line, result);
+        append_whole(all, line, result);
     return result;
 }
 

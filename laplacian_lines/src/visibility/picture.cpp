@@ -19,15 +19,6 @@ bool is_less(const Vector3d& a, const Vector3d& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() != b.y() ? a.y() < b.y() : a.z() < b.z();
 }
 
-/// Rounded outwards.
-Eigen::AlignedBox3f box_of(const Vector3d& low, const Vector3d& high) {
-    const auto wider = [](const Vector3d& corner, float sign) {
-        const Eigen::Vector3f f = corner.cast<float>();
-        return Eigen::Vector3f(f.array() + sign * (2e-7f * f.array().abs() + 1e-12f));
-    };
-    return {wider(low, -1), wider(high, 1)};
-}
-
 }  // namespace
 
 Picture::Picture(const SightMesh& mesh, const EyeFrame& frame, const StageProgress& stage)
@@ -46,7 +37,7 @@ Picture::Picture(const SightMesh& mesh, const EyeFrame& frame, const StageProgre
     stage.report(0.4);
     tree_ = {mesh.along_curve, [&](std::uint32_t t) {
                  const Vector3d &a = corner(t, 0), &b = corner(t, 1), &c = corner(t, 2);
-                 return box_of(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
+                 return box_outside<3>({a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)});
              }};
     stage.report(1);
 }
@@ -82,7 +73,8 @@ Backing Picture::look(const Vector3d& point, const SightMesh::Side* own, std::si
     // From the nearest surface behind the point, as far as it is known, to the eye: where faces are
     // seen along their planes, thousands of triangles are behind it.
     const auto column = [&] {
-        return box_of({at.x(), at.y(), behind(at.z(), result.gap)}, {at.x(), at.y(), infinity});
+        return box_outside<3>({Vector3d(at.x(), at.y(), behind(at.z(), result.gap)),
+                               Vector3d(at.x(), at.y(), infinity)});
     };
     Eigen::AlignedBox3f box = column();
     const auto is_before = [&](std::uint32_t triangle) {

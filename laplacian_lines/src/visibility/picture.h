@@ -12,6 +12,16 @@
 
 namespace laplacian_lines {
 
+/// A box of places in the picture by floats, rounded outwards.
+template <int Dim>
+Eigen::AlignedBox<float, Dim> box_outside(const Eigen::AlignedBox<double, Dim>& box) {
+    const auto wider = [](const Eigen::Matrix<double, Dim, 1>& corner, float sign) {
+        const auto f = corner.template cast<float>().array().eval();
+        return Eigen::Matrix<float, Dim, 1>(f + sign * (2e-7f * f.abs() + 1e-12f));
+    };
+    return {wider(box.min(), -1), wider(box.max(), 1)};
+}
+
 /// What is before and behind a point.
 struct Backing {
     bool is_hidden = false;

@@ -38,33 +38,21 @@ public:
                                         [&](std::uint32_t i) { return box_of(i); });
     }
 
-    std::vector<PictureCrossing> find(const StageProgress& stage) const {
-        const std::size_t count = all_.segments.size();
-        std::vector<std::vector<PictureCrossing>> found((count + kBlock - 1) / kBlock);
-        parallel_for<NoScratch>(
-            found.size(), stage,
-            [&](std::size_t block, NoScratch&) {
-                for (std::size_t i = block * kBlock; i < std::min(count, (block + 1) * kBlock); ++i)
-                    find_from(std::uint32_t(i), found[block]);
-            },
-            1);
-        std::vector<PictureCrossing> crossings;
-        for (const auto& of_block : found)
-            crossings.insert(crossings.end(), of_block.begin(), of_block.end());
-        return crossings;
+    std::vector<PictureCrossing> find() const {
+        return collect<PictureCrossing>(
+            all_.segments.size(),
+            [&](std::uint32_t i, std::vector<PictureCrossing>& found) { find_from(i, found); },
+            kGrain);
     }
 
 private:
-    static constexpr std::size_t kBlock = 512;
+    static constexpr std::size_t kGrain = 512;
 
     Box box_of(std::uint32_t segment) const {
         const SightSegment& s = all_.segments[segment];
-        Box box(all_.place(s.points[0]).head<2>().cast<float>().eval());
-        box.extend(all_.place(s.points[1]).head<2>().cast<float>().eval());
-        const auto rounding = [](const Eigen::Vector2f& corner) {
-            return Eigen::Vector2f(2e-7f * corner.array().abs() + 1e-12f);
-        };
-        return {box.min() - rounding(box.min()), box.max() + rounding(box.max())};
+        const Eigen::Vector2d a = all_.place(s.points[0]).head<2>(),
+                              b = all_.place(s.points[1]).head<2>();
+        return box_outside<2>({a.cwiseMin(b), a.cwiseMax(b)});
     }
 
     /// With dividing ones, once a pair.
@@ -111,8 +99,8 @@ private:
 
 }  // namespace
 
-std::vector<PictureCrossing> find_crossings(const SightSegments& all, const StageProgress& stage) {
-    return CrossingFinder(all).find(stage);
+std::vector<PictureCrossing> find_crossings(const SightSegments& all) {
+    return CrossingFinder(all).find();
 }
 
 }  // namespace laplacian_lines

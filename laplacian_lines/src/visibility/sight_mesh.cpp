@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 #include "laplacian_lines/error.h"
@@ -23,6 +22,7 @@ namespace laplacian_lines {
 namespace {
 
 using Eigen::Vector3d;
+using Contact = SurfaceContacts::OnEdge;
 
 bool is_finite(const TriangleMesh& mesh, const Triangle& t) {
     return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
@@ -40,16 +40,10 @@ double height_of(const SightMesh& mesh, const Triangle& t) {
 
 template <class Keep>
 void keep_triangles(SightMesh& mesh, Keep keep) {
-    std::vector<std::uint8_t> is_kept(mesh.triangles.size());
-    for_each_element(is_kept.size(), [&](std::size_t t) { is_kept[t] = keep(std::uint32_t(t)); });
-    std::size_t count = 0;
-    for (std::size_t t = 0; t < is_kept.size(); ++t)
-        if (is_kept[t]) mesh.triangles[count++] = mesh.triangles[t];
-    mesh.triangles.resize(count);
-}
-
-void set_edges(EdgeTable table, SightMesh& mesh) {
-    static_cast<EdgeTable&>(mesh) = std::move(table);
+    mesh.triangles =
+        collect<Triangle>(mesh.triangles.size(), [&](std::uint32_t t, std::vector<Triangle>& kept) {
+            if (keep(t)) kept.push_back(mesh.triangles[t]);
+        });
 }
 
 Triangle sorted(Triangle t) {
@@ -68,45 +62,16 @@ std::vector<std::uint32_t> first_equal_triangles(const std::vector<Triangle>& tr
     });
 }
 
-/// Drops triangles without height, and all but one of those with the same corners.
-void build_edges(SightMesh& mesh) {
-    keep_triangles(
-        mesh, [&](std::uint32_t t) { return height_of(mesh, mesh.triangles[t]) > mesh.precision; });
-    const std::vector<std::uint32_t> first = first_equal_triangles(mesh.triangles);
-    keep_triangles(mesh, [&](std::uint32_t t) { return first[t] == t; });
-    const auto side_of = [&](std::uint32_t i) {
-        return side_between(begin_of(mesh.triangles, i), end_of(mesh.triangles, i), i / 3);
-    };
-    set_edges(gather_edges(3 * mesh.triangles.size(), mesh.positions.size(), side_of), mesh);
-}
-
-/// Adds sides of triangles; `gone` are edges to remove, ascending.
-void change_edges(std::vector<LooseSide> sides, const std::vector<std::uint32_t>& gone,
-                  SightMesh& mesh) {
-    auto next_gone = gone.begin();
-    for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
-        if (next_gone != gone.end() && *next_gone == e) {
-            ++next_gone;
-            continue;
-        }
-        const auto& [from, to] = mesh.edges[e].vertices;
-        for (std::size_t i = 0; i < mesh.side_count(e); ++i) {
-            const SightMesh::Side side = mesh.sides_of(e)[i];
-            sides.push_back({{from, to}, side.triangle, bool(side.is_reversed)});
-        }
-    }
-    const auto side_of = [&](std::uint32_t i) { return sides[i]; };
-    set_edges(gather_edges(sides.size(), mesh.positions.size(), side_of), mesh);
-}
-
+/// Has triangles use other vertices. Drops those without height, and all but one of those with the
+/// same corners.
 void replace_vertices(const std::vector<std::uint32_t>& by, SightMesh& mesh) {
     for (Triangle& t : mesh.triangles)
         for (std::uint32_t& v : t)
             v = by[v];
-}
-
-void weld_equal(SightMesh& mesh) {
-    replace_vertices(first_equal_positions(mesh.positions), mesh);
+    keep_triangles(
+        mesh, [&](std::uint32_t t) { return height_of(mesh, mesh.triangles[t]) > mesh.precision; });
+    const std::vector<std::uint32_t> first = first_equal_triangles(mesh.triangles);
+    keep_triangles(mesh, [&](std::uint32_t t) { return first[t] == t; });
 }
 
 /// Merges pairs of vertices, with the smallest of their numbers.
@@ -119,143 +84,112 @@ bool weld(const std::vector<std::array<std::uint32_t, 2>>& pairs, SightMesh& mes
     return true;
 }
 
-/// Merges border vertices at one place.
-bool weld_borders(SightMesh& mesh) {
-    std::vector<bool> on_border(mesh.positions.size());
-    for (std::uint32_t e = 0; e < mesh.edge_count(); ++e)
-        if (mesh.is_border(e))
-            for (const std::uint32_t v : mesh.edges[e].vertices)
-                on_border[v] = true;
-    if (std::find(on_border.begin(), on_border.end(), true) == on_border.end()) return false;
-    const VertexPlaces places(mesh, on_border);
-    std::vector<std::array<std::uint32_t, 2>> pairs;
-    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-        if (!on_border[v]) continue;
-        const Vector3d& p = mesh.positions[v];
-        places.visit_along(p, p, mesh.precision, [&](std::uint32_t other) {
-            if (other < v && (mesh.positions[other] - p).norm() <= mesh.precision)
-                pairs.push_back({v, other});
+/// Merges vertices at one place.
+bool weld_borders(const std::vector<bool>& on_border, SightMesh& mesh) {
+    const VertexPlaces places(mesh, [&](std::uint32_t v) { return on_border[v]; });
+    using Pair = std::array<std::uint32_t, 2>;
+    const auto find = [&](std::uint32_t v, std::vector<Pair>& pairs) {
+        if (!on_border[v]) return;
+        places.visit_at(mesh.positions[v], mesh.precision, [&](std::uint32_t other) {
+            if (other < v) pairs.push_back({v, other});
         });
-    }
-    return weld(pairs, mesh);
+    };
+    return weld(collect<Pair>(mesh.positions.size(), find), mesh);
+}
+
+/// Calls visit(triangle) for those that pass within the precision of a straight line.
+template <class Visit>
+void visit_triangles(const SightMesh& mesh, const SurfaceContacts& contacts, const Edge& line,
+                     Visit visit) {
+    contacts.triangles.visit(
+        box_around(mesh.positions[line[0]], mesh.positions[line[1]], mesh.precision),
+        [&](std::uint32_t t) {
+            visit(t);
+            return true;
+        });
 }
 
 /// For each end of cuts, from `first_end` on, the first vertex at its place.
-std::vector<std::uint32_t> first_at_ends(const SightMesh& mesh, std::size_t first_end,
-                                         const std::vector<std::uint8_t>& near_cuts) {
-    const std::size_t count = mesh.positions.size();
-    std::vector<bool> are_ends(count);
-    std::fill(are_ends.begin() + std::ptrdiff_t(first_end), are_ends.end(), true);
-    const VertexPlaces ends(mesh, are_ends);
-    using Pair = std::pair<std::uint32_t, std::uint32_t>;  // an end, another vertex at its place
-    const auto find = [&](std::uint32_t v, std::vector<Pair>& found) {
-        const Vector3d& p = mesh.positions[v];
-        if (v < first_end && !near_cuts[v]) return;
-        ends.visit_along(p, p, mesh.precision, [&](std::uint32_t end) {
-            if (v < end && (mesh.positions[end] - p).norm() <= mesh.precision)
-                found.emplace_back(end, v);
+std::vector<std::uint32_t> first_at_ends(const SightMesh& mesh, std::uint32_t first_end,
+                                         const SurfaceContacts& contacts) {
+    const VertexPlaces ends(mesh, [&](std::uint32_t v) { return v >= first_end; });
+    std::vector<std::uint32_t> first(mesh.positions.size() - first_end);
+    for_each_element(first.size(), [&](std::size_t i) {
+        const auto end = first_end + std::uint32_t(i);
+        first[i] = end;
+        const auto consider = [&](std::uint32_t v) {
+            if (v < first[i] && (mesh.positions[v] - mesh.positions[end]).norm() <= mesh.precision)
+                first[i] = v;
+        };
+        ends.visit_along(mesh.positions[end], mesh.positions[end], mesh.precision, consider);
+        visit_triangles(mesh, contacts, {end, end}, [&](std::uint32_t t) {
+            for (const std::uint32_t v : mesh.triangles[t])
+                consider(v);
         });
-    };
-    std::vector<std::uint32_t> first(count - first_end);
-    std::iota(first.begin(), first.end(), std::uint32_t(first_end));
-    for (const auto& [end, v] : collect<Pair>(count, find))
-        first[end - first_end] = std::min(first[end - first_end], v);
+    });
     for (std::uint32_t& nearest : first)  // what stands for an end before it
         if (nearest >= first_end) nearest = first[nearest - first_end];
     return first;
 }
 
-/// Merges ends of cuts with vertices at their places, so that no edge is shorter than the
-/// precision.
-void weld_ends(std::size_t first_end, const SightMesh& mesh, SurfaceContacts& contacts) {
-    if (mesh.positions.size() == first_end) return;
-    const std::vector<std::uint32_t> first = first_at_ends(mesh, first_end, contacts.near_cuts);
-    const auto weld = [&](std::uint32_t& v) {
-        if (v >= first_end) v = first[v - first_end];
-    };
-    for (SurfaceContacts::Cut& cut : contacts.cuts) {
-        weld(cut.vertices[0]);
-        weld(cut.vertices[1]);
-        if (cut.vertices[0] > cut.vertices[1]) std::swap(cut.vertices[0], cut.vertices[1]);
-    }
-    const auto is_empty = [](const SurfaceContacts::Cut& cut) {
-        return cut.vertices[0] == cut.vertices[1];
-    };
-    contacts.cuts.erase(std::remove_if(contacts.cuts.begin(), contacts.cuts.end(), is_empty),
-                        contacts.cuts.end());
-    for (SurfaceContacts::OnEdge& on : contacts.on_edges)
-        weld(on.vertex);
-    const auto is_end = [](const SurfaceContacts::OnEdge& on) {
-        return on.vertex == on.edge[0] || on.vertex == on.edge[1];
-    };
-    contacts.on_edges.erase(
-        std::remove_if(contacts.on_edges.begin(), contacts.on_edges.end(), is_end),
-        contacts.on_edges.end());
+template <class T, class Is>
+void drop(std::vector<T>& elements, Is is_dropped) {
+    elements.erase(std::remove_if(elements.begin(), elements.end(), is_dropped), elements.end());
 }
 
-bool come_before(const SurfaceContacts::OnEdge& a, const SurfaceContacts::OnEdge& b) {
-    return a.edge != b.edge ? a.edge < b.edge : a.vertex < b.vertex;
+/// Merges ends of cuts with vertices at their places, so that no edge is shorter than the
+/// precision.
+void weld_ends(std::uint32_t first_end, const SightMesh& mesh, SurfaceContacts& contacts) {
+    const std::vector<std::uint32_t> first = first_at_ends(mesh, first_end, contacts);
+    const auto welded = [&](std::uint32_t v) { return v < first_end ? v : first[v - first_end]; };
+    for (SurfaceContacts::Cut& cut : contacts.cuts)
+        cut.vertices = edge_between(welded(cut.vertices[0]), welded(cut.vertices[1]));
+    drop(contacts.cuts,
+         [](const SurfaceContacts::Cut& cut) { return cut.vertices[0] == cut.vertices[1]; });
+    for (Contact& on : contacts.on_edges)
+        on.vertex = welded(on.vertex);
+    drop(contacts.on_edges,
+         [](const Contact& on) { return on.vertex == on.edge[0] || on.vertex == on.edge[1]; });
 }
 
 /// Finds vertices on cuts, and ends of cuts on edges that none of the cut's triangles has.
 void find_on_cuts(const SightMesh& mesh, SurfaceContacts& contacts) {
-    using OnEdge = SurfaceContacts::OnEdge;
-    if (contacts.cuts.empty()) return;
     std::vector<bool> are_ends(mesh.positions.size());
     for (const SurfaceContacts::Cut& cut : contacts.cuts)
         for (const std::uint32_t v : cut.vertices)
             are_ends[v] = true;
-    const auto is_near = [&](std::uint32_t v) {
-        return are_ends[v] || (v < contacts.near_cuts.size() && contacts.near_cuts[v]);
+    const VertexPlaces ends(mesh, [&](std::uint32_t v) { return are_ends[v]; });
+    const auto add_if_on = [&](std::uint32_t v, const Edge& edge, std::vector<Contact>& found) {
+        if (lies_between(mesh.positions, v, edge[0], edge[1], mesh.precision))
+            found.push_back({edge, v});
     };
-    const auto cuts =
-        BoxTree<3>::along_curve(contacts.cuts.size(), local_box(), [&](std::uint32_t c) {
-            const std::uint32_t* const ends = contacts.cuts[c].vertices;
-            return box_around(mesh.positions[ends[0]], mesh.positions[ends[1]], mesh.precision);
+    const auto find_on_cut = [&](std::uint32_t c, std::vector<Contact>& found) {
+        const Edge& cut = contacts.cuts[c].vertices;
+        ends.visit_along(mesh.positions[cut[0]], mesh.positions[cut[1]], mesh.precision,
+                         [&](std::uint32_t v) { add_if_on(v, cut, found); });
+        visit_triangles(mesh, contacts, cut, [&](std::uint32_t t) {
+            for (const std::uint32_t v : mesh.triangles[t])
+                add_if_on(v, cut, found);
         });
-    const auto add_if_on = [&](std::uint32_t v, const std::uint32_t* ends,
-                               std::vector<OnEdge>& found) {
-        if (lies_between(mesh.positions, v, ends[0], ends[1], mesh.precision))
-            found.push_back({{ends[0], ends[1]}, v});
     };
-    const auto find_cuts = [&](std::uint32_t v, std::vector<OnEdge>& found) {
-        if (!is_near(v)) return;
-        cuts.visit(Eigen::AlignedBox3f(mesh.positions[v].cast<float>().eval()),
-                   [&](std::uint32_t c) {
-                       add_if_on(v, contacts.cuts[c].vertices, found);
-                       return true;
-                   });
+    const auto find_at_end = [&](std::uint32_t v, std::vector<Contact>& found) {
+        if (!are_ends[v]) return;
+        visit_triangles(mesh, contacts, {v, v}, [&](std::uint32_t t) {
+            for (std::uint32_t side = 3 * t; side < 3 * t + 3; ++side)
+                add_if_on(v, edge_of(mesh.triangles, side), found);
+        });
     };
-    const VertexPlaces ends(mesh, are_ends);
-    const auto find_ends = [&](std::uint32_t e, std::vector<OnEdge>& found) {
-        const std::uint32_t* const edge = mesh.edges[e].vertices;
-        if (!is_near(edge[0]) || !is_near(edge[1])) return;
-        ends.visit_along(mesh.positions[edge[0]], mesh.positions[edge[1]], mesh.precision,
-                         [&](std::uint32_t v) { add_if_on(v, edge, found); });
-    };
-    for (const auto& found : {collect<OnEdge>(mesh.positions.size(), find_cuts),
-                              collect<OnEdge>(mesh.edge_count(), find_ends)})
+    for (const auto& found : {collect<Contact>(contacts.cuts.size(), find_on_cut),
+                              collect<Contact>(mesh.positions.size(), find_at_end)})
         contacts.on_edges.insert(contacts.on_edges.end(), found.begin(), found.end());
-    std::sort(contacts.on_edges.begin(), contacts.on_edges.end(), come_before);
-}
-
-/// Both triangles of a cut lie on both sides of it.
-void add_cuts(const std::vector<SurfaceContacts::Cut>& cuts, SightMesh& mesh) {
-    if (cuts.empty()) return;
-    std::vector<LooseSide> sides;
-    for (const SurfaceContacts::Cut& cut : cuts)
-        for (const std::uint32_t triangle : cut.triangles)
-            for (const int i : {0, 1})
-                sides.push_back(side_between(cut.vertices[i], cut.vertices[1 - i], triangle));
-    change_edges(sides, {}, mesh);
 }
 
 /// Moves vertices onto the edges that they lie on: within the precision, but an edge that bends
 /// there would leave its triangles, and faces seen along their planes would be beside it.
-void straighten(const std::vector<SurfaceContacts::OnEdge>& on_edges, SightMesh& mesh) {
+void straighten(const std::vector<Contact>& on_edges, SightMesh& mesh) {
     constexpr int kRounds = 3;  // for vertices on several edges
     for (int round = 0; round < kRounds; ++round)
-        for (const SurfaceContacts::OnEdge& on : on_edges) {
+        for (const Contact& on : on_edges) {
             const Vector3d& from = mesh.positions[on.edge[0]];
             const Vector3d span = mesh.positions[on.edge[1]] - from;
             Vector3d& p = mesh.positions[on.vertex];
@@ -263,46 +197,83 @@ void straighten(const std::vector<SurfaceContacts::OnEdge>& on_edges, SightMesh&
         }
 }
 
-/// The vertices on an edge, in its direction.
-std::vector<std::uint32_t> path_along(const SightMesh& mesh, const SightMesh::Edge& edge,
-                                      const SurfaceContacts::OnEdge* begin,
-                                      const SurfaceContacts::OnEdge* end) {
-    const Vector3d& from = mesh.positions[edge.vertices[0]];
+/// A side of a triangle, or a part of one.
+struct LooseSide {
+    Edge edge;
+    SightMesh::Side side;
+};
+
+/// Appends the parts of a side between the vertices that lie on it. `on_edges`: sorted.
+void divide_side(const SightMesh& mesh, const std::vector<Contact>& on_edges, std::uint32_t from,
+                 std::uint32_t to, std::uint32_t triangle, std::vector<LooseSide>& parts) {
+    const Edge edge = edge_between(from, to);
+    const auto add = [&](std::uint32_t a, std::uint32_t b) {
+        parts.push_back({edge_between(a, b), {triangle, (a > b) != (from > to)}});
+    };
+    auto contact = std::lower_bound(on_edges.begin(), on_edges.end(), Contact{edge, 0});
     std::vector<std::pair<double, std::uint32_t>> on;
-    for (; begin != end; ++begin)
-        on.emplace_back((mesh.positions[begin->vertex] - from).squaredNorm(), begin->vertex);
+    for (; contact != on_edges.end() && contact->edge == edge; ++contact)
+        on.emplace_back((mesh.positions[contact->vertex] - mesh.positions[edge[0]]).squaredNorm(),
+                        contact->vertex);
     std::sort(on.begin(), on.end());
     on.erase(std::unique(on.begin(), on.end()), on.end());
-    std::vector<std::uint32_t> path = {edge.vertices[0]};
-    for (const auto& [distance, vertex] : on)
-        path.push_back(vertex);
-    path.push_back(edge.vertices[1]);
-    return path;
+    std::uint32_t last = edge[0];
+    for (const auto& [distance, vertex] : on) {
+        add(last, vertex);
+        last = vertex;
+    }
+    add(last, edge[1]);
 }
 
-/// Divides edges at vertices that lie on them.
-void divide_edges(const std::vector<SurfaceContacts::OnEdge>& on_edges, SightMesh& mesh) {
-    if (on_edges.empty()) return;
-    std::vector<LooseSide> sides;
-    std::vector<std::uint32_t> gone;
-    const SurfaceContacts::OnEdge* next = on_edges.data();
-    const SurfaceContacts::OnEdge* const end = next + on_edges.size();
-    while (next != end) {
-        const SurfaceContacts::OnEdge* const begin = next;
-        while (next != end && next->edge == begin->edge)
-            ++next;
-        const std::uint32_t e = mesh.edge_between(begin->edge[0], begin->edge[1]);
-        if (e == SightMesh::kNoEdge) continue;
-        gone.push_back(e);
-        const std::vector<std::uint32_t> path = path_along(mesh, mesh.edges[e], begin, next);
-        for (std::size_t s = 0; s < mesh.side_count(e); ++s) {
-            const SightMesh::Side side = mesh.sides_of(e)[s];
-            for (std::size_t i = 1; i < path.size(); ++i)
-                sides.push_back(side_between(path[i - (side.is_reversed ? 0 : 1)],
-                                             path[i - (side.is_reversed ? 1 : 0)], side.triangle));
+/// Groups sides by edges, those of one in the order of the triangles.
+void set_edges(const std::vector<LooseSide>& loose, SightMesh& mesh) {
+    struct Part {
+        std::vector<SightMesh::Edge> edges;
+        std::vector<SightMesh::Side> sides;
+    };
+    const auto key = [](const SightMesh::Side& side) {
+        return std::uint32_t(side.triangle) << 1 | side.is_reversed;
+    };
+    const auto add_edge = [&](const std::uint32_t* begin, const std::uint32_t* end, Part& part) {
+        const auto first = std::ptrdiff_t(part.sides.size());
+        const Edge& edge = loose[*begin].edge;
+        part.edges.push_back({{edge[0], edge[1]}, std::uint32_t(first)});
+        for (const std::uint32_t* i = begin; i != end; ++i)
+            part.sides.push_back(loose[*i].side);
+        std::sort(part.sides.begin() + first, part.sides.end(),
+                  [&](const auto& a, const auto& b) { return key(a) < key(b); });
+        part.sides.erase(
+            std::unique(part.sides.begin() + first, part.sides.end(),
+                        [&](const auto& a, const auto& b) { return key(a) == key(b); }),
+            part.sides.end());
+    };
+    const auto parts = visit_edges<Part>(
+        loose.size(), mesh.positions.size(),
+        [&](std::uint32_t i) -> const Edge& { return loose[i].edge; }, add_edge);
+    for (const Part& part : parts) {
+        const auto first = std::uint32_t(mesh.sides.size());
+        for (SightMesh::Edge edge : part.edges) {
+            edge.first_side += first;
+            mesh.edges.push_back(edge);
         }
+        mesh.sides.insert(mesh.sides.end(), part.sides.begin(), part.sides.end());
     }
-    change_edges(sides, gone, mesh);
+    mesh.edges.push_back({{0, 0}, std::uint32_t(mesh.sides.size())});
+}
+
+/// Both triangles of a cut lie on both sides of it.
+void build_edges(const SurfaceContacts& contacts, SightMesh& mesh) {
+    const auto divide = [&](std::uint32_t side, std::vector<LooseSide>& parts) {
+        divide_side(mesh, contacts.on_edges, begin_of(mesh.triangles, side),
+                    end_of(mesh.triangles, side), side / 3, parts);
+    };
+    auto sides = collect<LooseSide>(3 * mesh.triangles.size(), divide);
+    for (const SurfaceContacts::Cut& cut : contacts.cuts)
+        for (const std::uint32_t triangle : cut.triangles)
+            for (const int i : {0, 1})
+                divide_side(mesh, contacts.on_edges, cut.vertices[i], cut.vertices[1 - i], triangle,
+                            sides);
+    set_edges(sides, mesh);
 }
 
 void find_bodies(SightMesh& mesh) {
@@ -317,23 +288,24 @@ void find_bodies(SightMesh& mesh) {
 }
 
 void find_edges(SightMesh& mesh, const StageProgress& stage) {
-    weld_equal(mesh);
+    replace_vertices(first_equal_positions(mesh.positions), mesh);
     unfold_needles(mesh.positions, mesh.triangles);
-    build_edges(mesh);
     stage.report(0.3);
-    if (weld_borders(mesh)) build_edges(mesh);
-    const std::size_t corners = mesh.positions.size();
-    SurfaceContacts contacts = find_surface_contacts(mesh, stage.part(0.4, 1));
-    while (weld(contacts.at_one_place, mesh)) {
-        build_edges(mesh);
-        contacts = find_surface_contacts(mesh, stage.part(1, 1));
+    std::vector<bool> on_border = border_vertices(mesh);
+    if (weld_borders(on_border, mesh)) on_border = border_vertices(mesh);
+    const auto corners = std::uint32_t(mesh.positions.size());
+    SurfaceContacts contacts = find_surface_contacts(mesh, on_border, stage.part(0.4, 0.9));
+    while (weld(contacts.at_one_place, mesh))
+        contacts = find_surface_contacts(mesh, border_vertices(mesh), stage.part(0.9, 0.9));
+    if (!contacts.cuts.empty()) {
+        weld_ends(corners, mesh, contacts);
+        find_on_cuts(mesh, contacts);
     }
-    weld_ends(corners, mesh, contacts);
-    find_on_cuts(mesh, contacts);
-    add_cuts(contacts.cuts, mesh);
+    std::sort(contacts.on_edges.begin(), contacts.on_edges.end());
     straighten(contacts.on_edges, mesh);
-    divide_edges(contacts.on_edges, mesh);
+    build_edges(contacts, mesh);
     find_bodies(mesh);
+    stage.report(1);
 }
 
 }  // namespace

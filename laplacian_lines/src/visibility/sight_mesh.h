@@ -7,7 +7,6 @@
 
 #include "laplacian_lines/triangle_mesh.h"
 #include "system/parallel.h"
-#include "visibility/edge_table.h"
 
 namespace laplacian_lines {
 
@@ -18,19 +17,40 @@ constexpr double kMeshReach = 0.5;
 /// triangles without height are gone, and edges are cut at vertices that lie on them, so that
 /// surfaces which touch share edges. Triangles that run through each other share an edge, too,
 /// which has both on both sides. In local coordinates x' = (x − centre) / size.
-struct SightMesh : EdgeTable {
+/// A corner table cannot hold that: edges have any number of triangles, and these parts of sides.
+struct SightMesh {
+    /// A side of a triangle, or a part of one between vertices on it. A triangle on both sides of
+    /// an edge has two, of both directions.
+    struct Side {
+        std::uint32_t triangle : 31;
+        /// The triangle goes from the edge's second vertex to its first.
+        std::uint32_t is_reversed : 1;
+    };
+    struct Edge {
+        std::uint32_t vertices[2];  ///< ascending
+        std::uint32_t first_side;   ///< in `sides`, up to that of the next edge
+    };
+
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     double size = 1;            ///< D, mesh units
     double precision = 0;       ///< local: what is as near as that is at one place
     double line_precision = 0;  ///< the same of points of lines, which are floats
     std::vector<Eigen::Vector3d> positions;
     std::vector<Triangle> triangles;
+    std::vector<Edge> edges;  ///< in the order of their vertices, and one more, behind the last
+    std::vector<Side> sides;  ///< once each
     /// By triangle, if an edge has more than two: what is connected by edges of two.
     std::vector<std::uint32_t> bodies;
     std::vector<std::uint32_t> along_curve;  ///< numbers of triangles: see order_along_curve()
 
     Eigen::Vector3d local(const Eigen::Vector3d& point) const { return (point - centre) / size; }
     Eigen::Vector3d in_mesh(const Eigen::Vector3d& local) const { return centre + size * local; }
+    std::size_t edge_count() const { return edges.empty() ? 0 : edges.size() - 1; }
+    std::size_t side_count(std::uint32_t edge) const {
+        return edges[edge + 1].first_side - edges[edge].first_side;
+    }
+    const Side* sides_of(std::uint32_t edge) const { return &sides[edges[edge].first_side]; }
+
     static constexpr std::uint32_t kNoEdge = 0xffffffffu;
     /// kNoEdge if there is none.
     std::uint32_t edge_between(std::uint32_t a, std::uint32_t b) const;

@@ -111,6 +111,12 @@ std::uint32_t first_crossing_node(const SightSegments& all) {
     return std::uint32_t(all.picture.mesh().positions.size() + all.line_points.size());
 }
 
+double share_at(const SightSegments& all, const SightPiece& piece, int end) {
+    const SightSegment& segment = all.segments[piece.segment];
+    return all.picture.share_in_space(all.place(segment.points[0]), all.place(segment.points[1]),
+                                      piece.shares[end]);
+}
+
 std::vector<SightPiece> find_sight_pieces(const SightSegments& all,
                                           const std::vector<PictureCrossing>& crossings,
                                           const StageProgress& stage) {

@@ -19,7 +19,7 @@ struct PictureCrossing {
 /// before them, segments with surface on both sides only in space by each other. The turns of the
 /// four ends decide, found alike wherever they are asked for: a chain that passes over another
 /// crosses it once, also at a vertex. The order does not depend on the number of threads.
-std::vector<PictureCrossing> find_crossings(const SightSegments& all, const StageProgress& stage);
+std::vector<PictureCrossing> find_crossings(const SightSegments& all);
 
 /// Between neighbouring crossings or ends: nothing changes along it.
 struct SightPiece {
@@ -41,15 +41,15 @@ std::vector<SightPiece> find_sight_pieces(const SightSegments& all,
 /// The number of the first node that is a crossing.
 std::uint32_t first_crossing_node(const SightSegments& all);
 
-/// Joins pieces of mesh edges to lines, where they meet in the same nodes. Outlines come first, so
-/// that they close.
-void trace_edges(const SightSegments& all, const std::vector<SightPiece>& pieces,
-                 const SightOptions& options, std::vector<SightLine>& traced);
+/// Of lines on the surface, gaps below .1 % of D are seen and parts below .3 % are not.
+void mend_lines(const SightSegments& all, std::vector<SightPiece>& pieces);
 
-/// Joins the seen pieces of lines on the surface. Gaps below .1 % of D and parts below .3 % do not
-/// count.
-void trace_surface_lines(const SightSegments& all, const std::vector<SightPiece>& pieces,
-                         const std::vector<LineSet>& lines, const SightOptions& options,
-                         std::vector<SightLine>& traced);
+/// Joins pieces to lines where they meet in the same nodes: those of edges, outlines first, so that
+/// they close, then the seen ones of lines on the surface.
+std::vector<SightLine> trace_lines(const SightSegments& all, const std::vector<SightPiece>& pieces,
+                                   const SightOptions& options);
+
+/// The share in space at the begin (0) or end (1) of a piece of its segment.
+double share_at(const SightSegments& all, const SightPiece& piece, int end);
 
 }  // namespace laplacian_lines

@@ -242,24 +242,23 @@ void append_edges(const CreaseMarks& creases, SightSegments& all) {
     all.segments = collect<SightSegment>(mesh.edge_count(), find);
 }
 
-void append_line(const LineSet& lines, const Polyline& line, std::uint32_t number,
-                 SightSegments& all) {
+void append_line(const LineSet& set, const Polyline& line, SightSegments& all) {
+    const auto first = std::uint32_t(all.picture.mesh().positions.size() + all.line_points.size());
     SightSegment segment;
-    segment.line = number;
+    segment.line = std::uint32_t(all.lines.size());
     segment.kind = line.kind;
     segment.is_exact = false;
+    all.lines.push_back({&set, &line, first});
     const EyeFrame& frame = all.picture.frame();
     const auto is_before = [&](std::uint32_t point) {
         return !frame.has_perspective() || frame.depth(all.position(point)) > kLeastDepth;
     };
-    const auto vertices = std::uint32_t(all.picture.mesh().positions.size());
     for (std::uint32_t i = 0; i < line.count; ++i) {
-        const auto point = vertices + std::uint32_t(all.line_points.size());
-        const Vector3d p = lines.place(lines.points[line.first + i]);
+        const Vector3d p = set.place(set.points[line.first + i]);
         all.line_points.push_back(all.picture.mesh().local(p));
         all.line_places.push_back(all.picture.frame().place(all.line_points.back()));
         segment.points[0] = segment.points[1];
-        segment.points[1] = point;
+        segment.points[1] = line.closed && i + 1 == line.count ? first : first + i;
         if (i > 0 && is_before(segment.points[0]) && is_before(segment.points[1]))
             all.segments.push_back(segment);
     }
@@ -279,14 +278,11 @@ bool is_edge_kind(LineKind kind) {
 
 SightSegments find_sight_segments(const Picture& picture, const CreaseMarks& creases,
                                   const std::vector<LineSet>& lines) {
-    SightSegments all{picture, {}, {}, {}};
+    SightSegments all{picture, {}, {}, {}, {}};
     append_edges(creases, all);
-    std::uint32_t number = 0;
     for (const LineSet& set : lines)
-        for (const Polyline& line : set.lines) {
-            if (!is_edge_kind(line.kind)) append_line(set, line, number, all);
-            ++number;
-        }
+        for (const Polyline& line : set.lines)
+            if (!is_edge_kind(line.kind)) append_line(set, line, all);
     return all;
 }
 

@@ -17,7 +17,7 @@ struct SightSegment {
 
     std::uint32_t points[2] = {0, 0};  ///< of SightSegments
     std::uint32_t edge = kNone;        ///< of the mesh
-    std::uint32_t line = kNone;        ///< of the lines on the surface
+    std::uint32_t line = kNone;        ///< of SightSegments::lines
     LineKind kind = LineKind::Contour;
     bool is_drawn = true;
     bool is_exact = true;  ///< an edge of the form, or its end; others only stand for a smooth line
@@ -26,8 +26,15 @@ struct SightSegment {
 
 /// Points are the mesh's vertices, then those of lines.
 struct SightSegments {
+    /// A line on the surface; outlives this.
+    struct Line {
+        const LineSet* set;
+        const Polyline* line;
+        std::uint32_t first_point;
+    };
     const Picture& picture;
     std::vector<SightSegment> segments;
+    std::vector<Line> lines;
     std::vector<Eigen::Vector3d> line_points, line_places;  ///< local; in the picture
 
     const Eigen::Vector3d& position(std::uint32_t point) const {

@@ -9,7 +9,7 @@
 
 #include "mesh/box_tree.h"
 #include "mesh/conforming.h"
-#include "visibility/vertex_places.h"
+#include "mesh/corner_table.h"
 
 namespace laplacian_lines {
 namespace {
@@ -22,7 +22,7 @@ constexpr double kCrack = 1e-5;
 /// Where a triangle's side meets another's plane: a corner, if both are the same, or between two,
 /// ascending.
 struct CutEnd {
-    std::array<std::uint32_t, 2> side;
+    Edge side;
     std::uint32_t pierced = 0;  // the other triangle; 0 for corners
     Vector3d position = Vector3d::Zero();
 };
@@ -30,7 +30,6 @@ struct CutEnd {
 struct FoundCut {
     CutEnd ends[2];
     std::uint32_t triangles[2];
-    std::array<std::uint32_t, 4> place = {};  // among all, whoever finds them
 };
 
 bool has_corner(const Triangle& t, std::uint32_t vertex) {
@@ -74,9 +73,9 @@ struct Heights {
 
 /// An edge in the plane of a triangle, with one of the triangles at it.
 struct CutAlongEdge {
-    std::array<std::uint32_t, 2> edge;  // ascending
-    int side;                           // of the plane, on which the triangle at the edge lies
-    FoundCut cut;                       // of twice the triangle that has the edge in its plane
+    Edge edge;
+    int side;      // of the plane, on which the triangle at the edge lies
+    FoundCut cut;  // of twice the triangle that has the edge in its plane
 };
 
 struct Found {
@@ -84,7 +83,6 @@ struct Found {
     std::vector<CutAlongEdge> along_edges;
     std::vector<SurfaceContacts::OnEdge> on_edges;
     std::vector<std::array<std::uint32_t, 2>> at_one_place;
-    std::vector<std::uint8_t> near_cuts;
 };
 
 int common_corners(const Triangle& a, const Triangle& b) {
@@ -94,92 +92,28 @@ int common_corners(const Triangle& a, const Triangle& b) {
     return count;
 }
 
-/// Whether one of some planes through the common corner of two triangles separates them, as for
-/// nearly all at a vertex with another between them.
-bool are_apart_at_corner(const Triangle& a, const Triangle& b, double reach,
-                         const SightMesh& mesh) {
-    const std::uint32_t corner = has_corner(b, a[0]) ? a[0] : has_corner(b, a[1]) ? a[1] : a[2];
-    const auto spans_of = [&](const Triangle& t) -> std::array<Vector3d, 2> {
-        const std::size_t k = corner == t[0] ? 0 : corner == t[1] ? 1 : 2;
-        const Vector3d& from = mesh.positions[corner];
-        return {mesh.positions[t[(k + 1) % 3]] - from, mesh.positions[t[(k + 2) % 3]] - from};
-    };
-    const auto of_a = spans_of(a), of_b = spans_of(b);
-    const auto separates = [&](const Vector3d& normal) {
-        const double least = reach * normal.norm();
-        return normal.dot(of_a[0]) > least && normal.dot(of_a[1]) > least &&
-               normal.dot(of_b[0]) < -least && normal.dot(of_b[1]) < -least;
-    };
-    if (separates(of_a[0] + of_a[1] - of_b[0] - of_b[1])) return true;
-    const Vector3d normal = of_a[0].cross(of_a[1]);
-    for (const Vector3d& s : of_a)
-        for (const Vector3d& t : of_b) {  // upright in the middle of a gap
-            const Vector3d between = normal.cross(s * t.norm() + t * s.norm());
-            if (separates(between) || separates(-between)) return true;
-        }
-    return false;
-}
-
-using Corners = std::array<Vector3d, 3>;
-
-Corners corners_of(const Triangle& t, const SightMesh& mesh) {
-    return {mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]};
-}
-
-/// Whether a plane upright on a side of `other` separates it from t.
-bool is_beyond_side(const Corners& t, const Corners& other, double reach) {
-    const Vector3d normal = (other[1] - other[0]).cross(other[2] - other[0]);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Vector3d outwards = (other[(k + 1) % 3] - other[k]).cross(normal);
-        const double least = reach * outwards.norm() + outwards.dot(other[k]);
-        if (outwards.dot(t[0]) > least && outwards.dot(t[1]) > least && outwards.dot(t[2]) > least)
-            return true;
-    }
-    return false;
-}
-
-/// Whether one of some planes shows that triangles without a common corner are farther apart than
-/// `reach`.
-bool are_far(const Triangle& a, const Triangle& b, double reach, const SightMesh& mesh) {
-    const Corners of_a = corners_of(a, mesh), of_b = corners_of(b, mesh);
-    const Vector3d across = of_a[0] + of_a[1] + of_a[2] - of_b[0] - of_b[1] - of_b[2];
-    const auto along = [&](const Vector3d& p) { return across.dot(p); };
-    if (std::min({along(of_a[0]), along(of_a[1]), along(of_a[2])}) -
-            std::max({along(of_b[0]), along(of_b[1]), along(of_b[2])}) >
-        reach * across.norm())
-        return true;
-    return is_beyond_side(of_a, of_b, reach) || is_beyond_side(of_b, of_a, reach);
-}
-
 class PairJudge {
 public:
-    explicit PairJudge(const SightMesh& mesh) : mesh_(mesh), on_border_(mesh.positions.size()) {
-        for (std::uint32_t e = 0; e < mesh.edge_count(); ++e)
-            if (mesh.is_border(e))
-                for (const std::uint32_t v : mesh.edges[e].vertices)
-                    on_border_[v] = true;
+    PairJudge(const SightMesh& mesh, const std::vector<bool>& on_border)
+        : mesh_(mesh), on_border_(on_border), normals_(mesh.triangles.size()) {
+        for_each_element(normals_.size(),
+                         [&](std::size_t t) { normals_[t] = mesh.normal(std::uint32_t(t)); });
     }
 
     /// Within which triangles can meet.
     double reach() const { return std::max(kCrack, mesh_.precision); }
 
-    void judge(std::uint32_t t, std::uint32_t other, const std::array<std::uint32_t, 4>& place,
-               Found& found) const {
+    void judge(std::uint32_t t, std::uint32_t other, Found& found) const {
         const Triangle &a = mesh_.triangles[t], &b = mesh_.triangles[other];
-        const int common = common_corners(a, b);
-        if (common > 1) return;
-        if (common == 1 ? are_apart_at_corner(a, b, reach(), mesh_) : are_far(a, b, reach(), mesh_))
-            return;
-        const Vector3d m = mesh_.normal(other);
+        if (common_corners(a, b) > 1) return;
+        const Vector3d &n = normals_[t], &m = normals_[other];
         const Heights of_t(mesh_, a, m, mesh_.positions[b[0]]);
         if (of_t.are_beside(reach(), a, b)) return;
-        const Vector3d n = mesh_.normal(t);
         const Heights of_other(mesh_, b, n, mesh_.positions[a[0]]);
         if (of_other.are_beside(reach(), b, a)) return;
         find_touching(a, of_t, b, found);
         find_touching(b, of_other, a, found);
         FoundCut cut;
-        cut.place = place;
         if (!of_t.reach_across() || !of_other.reach_across() ||
             !find_cut(t, of_t, other, of_other, n.cross(m), cut))
             return;
@@ -202,9 +136,8 @@ private:
                     found.at_one_place.push_back({corners[k], other});
             for (std::size_t s = 0; s < 3; ++s)
                 if (lies_on(corners[k], sides[s], sides[(s + 1) % 3]))
-                    found.on_edges.push_back({{std::min(sides[s], sides[(s + 1) % 3]),
-                                               std::max(sides[s], sides[(s + 1) % 3])},
-                                              corners[k]});
+                    found.on_edges.push_back(
+                        {edge_between(sides[s], sides[(s + 1) % 3]), corners[k]});
         }
     }
 
@@ -220,8 +153,8 @@ private:
         const std::size_t k = heights.single_corner();
         if (k == 3) return;
         cut.triangles[0] = cut.triangles[1] = in_plane;
-        const auto [first, second] = std::minmax(corners[(k + 1) % 3], corners[(k + 2) % 3]);
-        found.along_edges.push_back({{first, second}, heights.signs[k], cut});
+        found.along_edges.push_back(
+            {edge_between(corners[(k + 1) % 3], corners[(k + 2) % 3]), heights.signs[k], cut});
     }
 
     bool find_cut(std::uint32_t t, const Heights& of_t, std::uint32_t other,
@@ -269,54 +202,32 @@ private:
     }
 
     const SightMesh& mesh_;
-    std::vector<bool> on_border_;
+    const std::vector<bool>& on_border_;
+    std::vector<Vector3d> normals_;  // by triangle
 };
-
-using Tree = BoxTree<3>;
 
 template <class T>
 void append(const std::vector<T>& from, std::vector<T>& to) {
     to.insert(to.end(), from.begin(), from.end());
 }
 
-/// For SurfaceContacts::near_cuts.
-std::vector<std::uint8_t> corners_near_cuts(const Found& found, const Tree& tree,
-                                            const SightMesh& mesh) {
-    constexpr double kRoom = 4;  // precisions: ends of cuts are welded within one
-    std::vector<std::uint8_t> near(mesh.positions.size());
-    const auto note_near = [&](const FoundCut& cut) {
-        const auto box =
-            box_around(cut.ends[0].position, cut.ends[1].position, kRoom * mesh.precision);
-        tree.visit(box, [&](std::uint32_t triangle) {
-            for (const std::uint32_t v : mesh.triangles[triangle])
-                near[v] = 1;
-            return true;
-        });
-    };
-    for (const FoundCut& cut : found.cuts)
-        note_near(cut);
-    for (const CutAlongEdge& along : found.along_edges)
-        note_near(along.cut);
-    return near;
-}
-
-Found find_pairs(SightMesh& mesh, const StageProgress& stage) {
-    const PairJudge judge(mesh);
-    const auto tree = Tree::along_curve(mesh.triangles.size(), local_box(),
-                                        [&, reach = judge.reach() / 2](std::uint32_t t) {
-                                            Eigen::AlignedBox3d box;
-                                            for (const std::uint32_t v : mesh.triangles[t])
-                                                box.extend(mesh.positions[v]);
-                                            return box_around(box, reach);
-                                        });
-    const std::vector<std::uint32_t>& order = mesh.along_curve = tree.order();
-    const std::vector<Tree::Pair> pairs = tree.pairs();
+Found find_pairs(const SightMesh& mesh, const std::vector<bool>& on_border, BoxTree<3>& tree,
+                 const StageProgress& stage) {
+    const PairJudge judge(mesh, on_border);
+    tree = BoxTree<3>::along_curve(mesh.triangles.size(), local_box(),
+                                   [&, reach = judge.reach() / 2](std::uint32_t t) {
+                                       Eigen::AlignedBox3d box;
+                                       for (const std::uint32_t v : mesh.triangles[t])
+                                           box.extend(mesh.positions[v]);
+                                       return box_around(box, reach);
+                                   });
+    const std::vector<std::uint32_t>& order = tree.order();
+    const std::vector<BoxTree<3>::Pair> pairs = tree.pairs();
     stage.report(0.3);
     std::vector<Found> found(pairs.size());
     const auto find_in = [&](std::size_t pair, NoScratch&) {
         tree.visit_pairs(pairs[pair], [&](std::size_t i, std::size_t k) {
-            const auto a = std::uint32_t(i), b = std::uint32_t(k);
-            judge.judge(order[i], order[k], {a / 4, b / 4, a, b}, found[pair]);
+            judge.judge(order[i], order[k], found[pair]);
         });
     };
     parallel_for<NoScratch>(found.size(), stage.part(0.3, 1), find_in, 1);
@@ -327,12 +238,6 @@ Found find_pairs(SightMesh& mesh, const StageProgress& stage) {
         append(of_pair.on_edges, all.on_edges);
         append(of_pair.at_one_place, all.at_one_place);
     }
-    std::sort(all.cuts.begin(), all.cuts.end(),
-              [](const FoundCut& a, const FoundCut& b) { return a.place < b.place; });
-    std::sort(
-        all.along_edges.begin(), all.along_edges.end(),
-        [](const CutAlongEdge& a, const CutAlongEdge& b) { return a.cut.place < b.cut.place; });
-    all.near_cuts = corners_near_cuts(all, tree, mesh);
     return all;
 }
 
@@ -354,13 +259,26 @@ void add_cuts_along_edges(Found& found) {
 
 }  // namespace
 
-SurfaceContacts find_surface_contacts(SightMesh& mesh, const StageProgress& stage) {
-    Found found = find_pairs(mesh, stage);
-    if (!found.at_one_place.empty()) return {{}, {}, {}, std::move(found.at_one_place)};
+std::vector<bool> border_vertices(const SightMesh& mesh) {
+    const CornerTable table(mesh.triangles, mesh.positions.size());
+    std::vector<bool> on_border(mesh.positions.size());
+    for (std::uint32_t side = 0; side < table.side_count(); ++side)
+        if (table.across(side) == CornerTable::kBorder)
+            for (const std::uint32_t v : edge_of(mesh.triangles, side))
+                on_border[v] = true;
+    return on_border;
+}
+
+SurfaceContacts find_surface_contacts(SightMesh& mesh, const std::vector<bool>& on_border,
+                                      const StageProgress& stage) {
+    SurfaceContacts contacts;
+    Found found = find_pairs(mesh, on_border, contacts.triangles, stage);
+    mesh.along_curve = contacts.triangles.order();
+    contacts.at_one_place = std::move(found.at_one_place);
+    if (!contacts.at_one_place.empty()) return contacts;
     add_cuts_along_edges(found);
-    SurfaceContacts contacts{{}, std::move(found.on_edges), std::move(found.near_cuts), {}};
-    using Key = std::pair<std::array<std::uint32_t, 2>, std::uint32_t>;
-    std::map<Key, std::uint32_t> vertices;
+    contacts.on_edges = std::move(found.on_edges);
+    std::map<std::pair<Edge, std::uint32_t>, std::uint32_t> vertices;
     const auto vertex_of = [&](const CutEnd& end) {
         if (end.side[0] == end.side[1]) return end.side[0];
         const auto number = std::uint32_t(mesh.positions.size());
@@ -374,13 +292,9 @@ SurfaceContacts find_surface_contacts(SightMesh& mesh, const StageProgress& stag
     for (const FoundCut& cut : found.cuts) {
         const std::uint32_t begin = vertex_of(cut.ends[0]), end = vertex_of(cut.ends[1]);
         if (begin != end)
-            contacts.cuts.push_back({{std::min(begin, end), std::max(begin, end)},
-                                     {cut.triangles[0], cut.triangles[1]}});
+            contacts.cuts.push_back(
+                {edge_between(begin, end), {cut.triangles[0], cut.triangles[1]}});
     }
-    std::sort(contacts.on_edges.begin(), contacts.on_edges.end(),
-              [](const SurfaceContacts::OnEdge& a, const SurfaceContacts::OnEdge& b) {
-                  return a.edge != b.edge ? a.edge < b.edge : a.vertex < b.vertex;
-              });
     return contacts;
 }
 

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/box_tree.h"
+#include "mesh/sides_by_edge.h"
 #include "visibility/sight_mesh.h"
 
 namespace laplacian_lines {
@@ -14,27 +16,34 @@ namespace laplacian_lines {
 struct SurfaceContacts {
     /// A piece of the line along which two triangles run through each other.
     struct Cut {
-        std::uint32_t vertices[2];
+        Edge vertices;
         std::uint32_t triangles[2];
     };
     /// A vertex on an edge, not an end of it.
     struct OnEdge {
-        std::array<std::uint32_t, 2> edge;  ///< vertices, ascending
+        Edge edge;
         std::uint32_t vertex;
+
+        bool operator<(const OnEdge& other) const {
+            return edge != other.edge ? edge < other.edge : vertex < other.vertex;
+        }
     };
     std::vector<Cut> cuts;
-    std::vector<OnEdge> on_edges;  ///< sorted by edges; may hold one twice
-    /// By old vertex: corners of triangles that may be at the place of a cut.
-    std::vector<std::uint8_t> near_cuts;
+    std::vector<OnEdge> on_edges;  ///< in no order; may hold one twice
+    BoxTree<3> triangles;          ///< the mesh's, local
     /// Vertices nearer than a quarter of the precision, as rounding moves them. If there are any,
     /// they are all that is known: once they are one, other triangles touch.
     std::vector<std::array<std::uint32_t, 2>> at_one_place;
 };
 
+/// Vertices at which a surface ends.
+std::vector<bool> border_vertices(const SightMesh& mesh);
+
 /// Two triangles run through each other if both have corners on both sides of the other's plane,
 /// farther off than the precision, or if one has an edge in it with triangles on both sides; the
 /// cut then has only the other, twice. Else they touch. Ends of cuts that are no corners become new
 /// vertices, each on an edge. Borders nearer than a crack touch. @throws Error(Cancelled)
-SurfaceContacts find_surface_contacts(SightMesh& mesh, const StageProgress& stage);
+SurfaceContacts find_surface_contacts(SightMesh& mesh, const std::vector<bool>& on_border,
+                                      const StageProgress& stage);
 
 }  // namespace laplacian_lines

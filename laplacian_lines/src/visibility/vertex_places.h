@@ -10,17 +10,27 @@
 
 namespace laplacian_lines {
 
-/// Vertices of a mesh by place.
+/// Vertices of a mesh, which outlives this, by place.
 class VertexPlaces {
 public:
-    /// Holds the vertices that are `wanted`.
-    VertexPlaces(const SightMesh& mesh, const std::vector<bool>& wanted)
-        : step_(1 / std::sqrt(double(mesh.positions.size()))) {
-        std::vector<std::uint32_t> vertices;
-        for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
-            if (wanted[v]) vertices.push_back(v);
+    /// Holds the vertices for which is_wanted(vertex).
+    template <class IsWanted>
+    VertexPlaces(const SightMesh& mesh, IsWanted is_wanted)
+        : positions_(mesh.positions), step_(1 / std::sqrt(double(positions_.size()))) {
+        auto vertices =
+            collect<std::uint32_t>(positions_.size(), [&](std::uint32_t v, auto& found) {
+                if (is_wanted(v)) found.push_back(v);
+            });
         tree_ = BoxTree<3>::along_curve(std::move(vertices), local_box(), [&](std::uint32_t v) {
-            return Eigen::AlignedBox3f(mesh.positions[v].cast<float>().eval());
+            return Eigen::AlignedBox3f(positions_[v].cast<float>().eval());
+        });
+    }
+
+    /// Calls visit(vertex) for those at the place of p, within `reach` of it.
+    template <class Visit>
+    void visit_at(const Eigen::Vector3d& p, double reach, Visit visit) const {
+        visit_along(p, p, reach, [&](std::uint32_t v) {
+            if ((positions_[v] - p).norm() <= reach) visit(v);
         });
     }
 
@@ -41,6 +51,7 @@ public:
     }
 
 private:
+    const std::vector<Eigen::Vector3d>& positions_;
     double step_;
     BoxTree<3> tree_;
 };

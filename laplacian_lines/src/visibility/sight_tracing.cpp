@@ -3,8 +3,8 @@
 #include <tuple>
 
 #include "fixed/line_smoothing.h"
+#include "fixed/piece_graph.h"
 #include "rules/line_rules.h"
-#include "system/chains.h"
 #include "system/disjoint_sets.h"
 #include "visibility/sight_pieces.h"
 
@@ -17,38 +17,49 @@ using Eigen::Vector3d;
 constexpr std::size_t kMostAtNode = 64;  // of more, nobody sees which go on into each other
 constexpr double kStraight = 0.5;  // least cosine of the turn at which a line passes a junction
 
-class EdgeTracer {
+class SightTracer {
 public:
-    EdgeTracer(const SightSegments& all, const std::vector<SightPiece>& pieces,
-               const SightOptions& options)
-        : all_(all), options_(options), first_crossing_(first_crossing_node(all)) {
+    /// Of edges, or of lines on the surface.
+    SightTracer(const SightSegments& all, const std::vector<SightPiece>& pieces,
+                const SightOptions& options, bool of_edges)
+        : all_(all),
+          options_(options),
+          of_edges_(of_edges),
+          first_crossing_(first_crossing_node(all)) {
         for (const SightPiece& piece : pieces)
             if (is_wanted(piece)) pieces_.push_back(piece);
-        if (options.shortest_contour > 0) leave_out_specks();
-        link_.assign(2 * pieces_.size(), kNoEnd);
-        visited_.assign(pieces_.size(), false);
+        if (of_edges && options.shortest_contour > 0) leave_out_specks();
+        nodes_.assign(2 * pieces_.size(), kNone);
     }
 
     void trace(std::vector<SightLine>& traced) {
-        link_at_nodes();
-        for_each_chain(
-            std::uint32_t(pieces_.size()), [&](std::uint32_t half) { return link_[half]; },
-            [&](std::uint32_t half) {
-                if (visited_[half / 2]) return;
-                traced.push_back(line_from(half));
-                if (!options_.in_picture) finish_in_space(traced.back());
-            });
+        if (of_edges_)
+            link_at_nodes();
+        else
+            link_successive();
+        for (std::uint32_t& node : nodes_)
+            if (node == kNone) node = graph_.add_node();
+        for (std::size_t piece = 0; piece < pieces_.size(); ++piece)
+            graph_.add(nodes_[2 * piece], nodes_[2 * piece + 1]);
+        for (const PieceGraph::Line& line : graph_.lines()) {
+            traced.push_back(sight_line(line));
+            if (!of_edges_ || !options_.in_picture) smooth(traced.back());
+            if (!of_edges_) describe_line(segment_of(2 * line.pieces[0]).line, traced.back());
+        }
     }
 
 private:
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+
     const SightSegment& segment_of(std::uint32_t half) const {
         return all_.segments[pieces_[half / 2].segment];
     }
 
     bool is_wanted(const SightPiece& piece) const {
         const SightSegment& segment = all_.segments[piece.segment];
-        return segment.edge != SightSegment::kNone && options_.shows[segment.kind] &&
-               (options_.has_hidden || !piece.is_hidden);
+        if ((segment.edge != SightSegment::kNone) != of_edges_) return false;
+        const bool may_be_hidden = of_edges_ && options_.has_hidden;
+        return (!of_edges_ || options_.shows[segment.kind]) && (may_be_hidden || !piece.is_hidden);
     }
 
     /// Drops dots where a scan's roughness is on its horizon: contours and borders that meet
@@ -61,12 +72,12 @@ private:
         for (const SightPiece& piece : pieces_)
             if (!piece.is_hidden) sets.unite(piece.nodes[0], piece.nodes[1]);
         const std::vector<std::uint32_t> set = sets.take_roots();
-        std::vector<std::uint32_t> first(nodes, kNoEnd);  // half of a set
-        std::vector<double> reach(nodes);                 // from it
+        std::vector<std::uint32_t> first(nodes, kNone);  // half of a set
+        std::vector<double> reach(nodes);                // from it
         for (std::uint32_t half = 0; half < 2 * pieces_.size(); ++half) {
             const std::uint32_t at = set[pieces_[half / 2].nodes[half % 2]];
             if (pieces_[half / 2].is_hidden) continue;
-            if (first[at] == kNoEnd) first[at] = half;
+            if (first[at] == kNone) first[at] = half;
             reach[at] = std::max(reach[at], (position(half) - position(first[at])).norm());
         }
         const double shortest = options_.shortest_contour * all_.picture.mesh().size;
@@ -96,9 +107,21 @@ private:
         return {node, is_in_space ? piece.segment : 0};
     }
 
+    /// Those of lines on the surface are in order.
+    void link_successive() {
+        const auto line_of = [&](std::uint32_t piece) { return segment_of(2 * piece).line; };
+        for (std::uint32_t piece = 0, first = 0; piece < pieces_.size(); ++piece) {
+            if (line_of(piece) != line_of(first)) first = piece;
+            const bool is_last =
+                piece + 1 == pieces_.size() || line_of(piece + 1) != line_of(piece);
+            const std::uint32_t next = is_last ? first : piece + 1;
+            if (pieces_[piece].nodes[1] == pieces_[next].nodes[0]) join(2 * piece + 1, 2 * next);
+        }
+    }
+
     void link_at_nodes() {
         std::vector<std::tuple<std::pair<std::uint32_t, std::uint32_t>, int, std::uint32_t>> halves;
-        for (std::uint32_t half = 0; half < link_.size(); ++half)
+        for (std::uint32_t half = 0; half < nodes_.size(); ++half)
             halves.emplace_back(node_of(half), class_of(half), half);
         std::sort(halves.begin(), halves.end());
         std::vector<std::uint32_t> meeting;
@@ -113,38 +136,28 @@ private:
         }
     }
 
-    void join(std::uint32_t a, std::uint32_t b) {
-        link_[a] = b;
-        link_[b] = a;
-    }
+    void join(std::uint32_t a, std::uint32_t b) { nodes_[a] = nodes_[b] = graph_.add_node(); }
 
     /// Two continue each other; of more, the straightest pairs; of a great many, only outlines,
     /// which have to close.
-    void link(std::vector<std::uint32_t>& halves, bool are_outlines) {
+    void link(const std::vector<std::uint32_t>& halves, bool are_outlines) {
         if (halves.size() == 2) return join(halves[0], halves[1]);
         if (halves.size() > kMostAtNode) {
             for (std::size_t i = 1; are_outlines && i < halves.size(); i += 2)
                 join(halves[i - 1], halves[i]);
             return;
         }
-        const double least = are_outlines ? -2 : kStraight;
-        while (halves.size() > 1) {
-            double best = least;
-            std::size_t first = 0, second = 0;
-            for (std::size_t i = 0; i < halves.size(); ++i)
-                for (std::size_t k = i + 1; k < halves.size(); ++k) {
-                    const double straightness = -direction(halves[i]).dot(direction(halves[k]));
-                    if (straightness > best) {
-                        best = straightness;
-                        first = i;
-                        second = k;
-                    }
-                }
-            if (first == second) return;
-            join(halves[first], halves[second]);
-            halves.erase(halves.begin() + std::ptrdiff_t(second));
-            halves.erase(halves.begin() + std::ptrdiff_t(first));
-        }
+        std::vector<std::tuple<double, std::uint32_t, std::uint32_t>> pairs;
+        for (std::size_t k = 1; k < halves.size(); ++k)
+            for (std::size_t i = 0; i < k; ++i) {
+                // −1: straight on
+                const double cosine = direction(halves[i]).dot(direction(halves[k]));
+                if (are_outlines || cosine < -kStraight)
+                    pairs.emplace_back(cosine, halves[i], halves[k]);
+            }
+        std::sort(pairs.begin(), pairs.end());
+        for (const auto& [cosine, a, b] : pairs)
+            if (nodes_[a] == kNone && nodes_[b] == kNone) join(a, b);
     }
 
     /// The direction of a piece from one of its ends, in the picture.
@@ -155,34 +168,50 @@ private:
     }
 
     Vector3d position(std::uint32_t half) const {
-        const SightPiece& piece = pieces_[half / 2];
         const SightSegment& segment = segment_of(half);
-        const double share = all_.picture.share_in_space(
-            all_.place(segment.points[0]), all_.place(segment.points[1]), piece.shares[half % 2]);
         const Vector3d &a = all_.position(segment.points[0]), &b = all_.position(segment.points[1]);
+        const double share = share_at(all_, pieces_[half / 2], int(half % 2));
         return all_.picture.mesh().in_mesh(a + share * (b - a));
     }
 
     /// An end of a piece, with what that piece alone knows.
     SightPoint point_at(std::uint32_t half) const {
-        return {position(half),           1, 0, 1, pieces_[half / 2].nodes[half % 2],
-                segment_of(half).is_exact};
+        const SightPiece& piece = pieces_[half / 2];
+        const SightSegment& segment = segment_of(half);
+        SightPoint point{position(half), 1, 0, 1, piece.nodes[half % 2], segment.is_exact};
+        if (of_edges_) return point;
+        const SightSegments::Line& of = all_.lines[segment.line];
+        const LinePoint* const a =
+            &of.set->points[of.line->first + segment.points[0] - of.first_point];
+        const auto t = float(share_at(all_, piece, int(half % 2)));
+        const auto between = [&](float LinePoint::*value) {
+            return (1 - t) * a[0].*value + t * a[1].*value;
+        };
+        point.weight = between(&LinePoint::weight);
+        point.gradient = between(&LinePoint::gradient);
+        point.opacity = between(&LinePoint::opacity);
+        return point;
     }
 
-    SightLine line_from(std::uint32_t start) {
-        const SightPiece& piece = pieces_[start / 2];
-        SightLine line{
-            segment_of(start).kind, false, piece.is_hidden, piece.is_outline, 0, 0, 0, {}};
-        std::uint32_t last = start;
-        line.closed = follow_chain(
-            start, [&](std::uint32_t half) { return link_[half]; },
-            [&](std::uint32_t half) {
-                visited_[half / 2] = true;
-                line.jump = std::max(line.jump, pieces_[half / 2].gap);
-                line.points.push_back(point_at(half));
-                line.points.back().is_exact |= half != start && segment_of(last).is_exact;
-                last = half ^ 1;
-            });
+    SightLine sight_line(const PieceGraph::Line& traced) const {
+        const SightPiece& first = pieces_[traced.pieces[0]];
+        SightLine line{segment_of(2 * traced.pieces[0]).kind,
+                       traced.is_closed,
+                       first.is_hidden,
+                       first.is_outline,
+                       0,
+                       0,
+                       0,
+                       {}};
+        std::uint32_t last = kNone;  // the half by which the line left the piece before
+        for (std::size_t i = 0; i < traced.pieces.size(); ++i) {
+            const std::uint32_t piece = traced.pieces[i];
+            const std::uint32_t half = 2 * piece + (nodes_[2 * piece] != traced.nodes[i]);
+            line.jump = std::max(line.jump, pieces_[piece].gap);
+            line.points.push_back(point_at(half));
+            line.points.back().is_exact |= last != kNone && segment_of(last).is_exact;
+            last = half ^ 1;
+        }
         line.jump *= float(all_.picture.mesh().size);
         line.points.push_back(point_at(last));
         if (line.closed) {
@@ -192,9 +221,18 @@ private:
         return line;
     }
 
+    /// Only the ends of a line on the surface are nodes, and nothing drops beside it.
+    void describe_line(std::uint32_t number, SightLine& line) const {
+        line.jump = 0;
+        line.strength = all_.lines[number].line->strength;
+        line.slope = all_.lines[number].line->slope;
+        for (std::size_t i = 1; i + 1 < line.points.size(); ++i)
+            line.points[i].node = kNoSightNode;
+    }
+
     /// Smooths between exact points and open ends. A smooth line that is merely crossed in the
     /// picture has no point there in space, which would hinder that.
-    void finish_in_space(SightLine& line) const {
+    void smooth(SightLine& line) const {
         const auto is_passed = [&](const SightPoint& point) {
             return !point.is_exact && point.node >= first_crossing_;
         };
@@ -215,17 +253,21 @@ private:
 
     const SightSegments& all_;
     const SightOptions& options_;
+    const bool of_edges_;
     const std::uint32_t first_crossing_;
     std::vector<SightPiece> pieces_;
-    std::vector<std::uint32_t> link_;  // by half: end 2p and 2p + 1 of piece p
-    std::vector<bool> visited_;
+    PieceGraph graph_;
+    std::vector<std::uint32_t> nodes_;  // of graph_, by half: end 2p and 2p + 1 of piece p
 };
 
 }  // namespace
 
-void trace_edges(const SightSegments& all, const std::vector<SightPiece>& pieces,
-                 const SightOptions& options, std::vector<SightLine>& traced) {
-    EdgeTracer(all, pieces, options).trace(traced);
+std::vector<SightLine> trace_lines(const SightSegments& all, const std::vector<SightPiece>& pieces,
+                                   const SightOptions& options) {
+    std::vector<SightLine> traced;
+    for (const bool of_edges : {true, false})
+        SightTracer(all, pieces, options, of_edges).trace(traced);
+    return traced;
 }
 
 }  // namespace laplacian_lines
