@@ -107,6 +107,8 @@ TEST(Fragments, AreShortAndMeetNothing) {
         EXPECT_EQ(whole({fragment, straight({4.6, -9}, {4.6, 9})}), 1u);
     }
     EXPECT_EQ(whole({straight({0, 0}, {3.9, 0}, 1, LineClass::Edge)}), 1u);
+    EXPECT_EQ(whole({circle(7.9)}), 0u);
+    EXPECT_EQ(whole({circle(8.1)}), 1u);
 }
 
 TEST(Fragments, AreNoStrokesOfATexture) {

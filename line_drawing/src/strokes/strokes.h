@@ -45,8 +45,9 @@ std::vector<DrawnLine> thinOut(std::vector<DrawnLine> lines, const Pens& pens);
 /// are fainter than it. Ends that meet another line stay. `pen`: of inner lines, mm.
 void cutHooks(std::vector<DrawnLine>& lines, double pen);
 
-/// Leaves out inner lines and contours of curved surfaces that are shorter than `shortest`, mm, and
-/// meet no other line, but for inner lines with a like one beside them, which are a texture.
+/// Leaves out inner lines and contours of curved surfaces that are shorter than `shortest`, mm, or
+/// rings of twice that, and meet no other line, but for inner lines with a like one beside them,
+/// which are a texture.
 std::vector<DrawnLine> withoutFragments(std::vector<DrawnLine> lines, double shortest, double pen);
 
 /// Makes inner lines and contours of curved surfaces at least as wide as fine lines, and has them

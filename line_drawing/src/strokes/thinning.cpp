@@ -226,8 +226,8 @@ bool isRepeated(const std::vector<DrawnPoint>& line, const DrawnLines& all,
 std::vector<DrawnLine> withoutFragments(std::vector<DrawnLine> lines, double shortest, double pen) {
     const DrawnLines all = allOf(lines, shortest);
     std::vector<double> lengths;
-    for (const DrawnLine& line : lines)
-        lengths.push_back(lengthOf(line.points));
+    for (const DrawnLine& line : lines)  // a ring goes there and back
+        lengths.push_back(lengthOf(line.points) / (line.closed ? 2 : 1));
     std::vector<DrawnLine> rest;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::vector<DrawnPoint>& points = lines[i].points;
