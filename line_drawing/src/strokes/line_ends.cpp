@@ -137,7 +137,6 @@ constexpr double faint = 0.75;                 // of the mean weight of the line
 constexpr double hook_cosine = 0.5;            // of 60°
 constexpr double lead_cosine = 0.7;            // of 45°
 constexpr double least_weight = 0.5;           // of ends that are led on; fainter ones taper off
-constexpr double least_width = 0.5;            // pens
 
 /// Whether what follows a point is fainter than what is before it.
 bool isFaint(const std::vector<DrawnPoint>& points, std::size_t at) {
