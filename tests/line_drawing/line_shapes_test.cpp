@@ -272,6 +272,47 @@ TEST(EndHooks, AreNoBendsOfTheFeature) {
     EXPECT_NEAR(lengthWithoutHooks({hooked(5, 100)}), 15, 1e-6);  // long
 }
 
+TEST(EndHooks, AreLongWhereTheyAreFaint) {
+    DrawnLine line = hooked(4, 100);
+    for (DrawnPoint& point : line.points)
+        if (point.position.y() > 0) point.weight = 0.5;
+    EXPECT_NEAR(lengthWithoutHooks({line}), 10, pen);
+    line = hooked(6, 100);
+    for (DrawnPoint& point : line.points)
+        if (point.position.y() > 0) point.weight = 0.5;
+    EXPECT_NEAR(lengthWithoutHooks({line}), 16, 1e-6);  // more than a third
+}
+
+/// Least and greatest width in mm of what is more than `end` from the ends.
+std::pair<double, double> widths(const DrawnLine& line, double end) {
+    double least = INFINITY, most = 0;
+    for (const DrawnPoint& point : line.points) {
+        const double x = point.position.x(), width = pen * point.weight;
+        if (x < end || x > 10 - end) continue;
+        least = std::min(least, width);
+        most = std::max(most, width);
+    }
+    return {least, most};
+}
+
+TEST(PointedEnds, AreWhereNothingIsMet) {
+    DrawnLine strong = hooked(0, 0), faint = strong;
+    for (DrawnPoint& point : faint.points)
+        point.weight = 0.1;
+    for (const DrawnLine& line : {strong, faint}) {
+        std::vector<DrawnLine> lines = {line};
+        pointEnds(lines, pensOf(Weights::Illustrator));
+        EXPECT_EQ(lines[0].points.front().weight, 0);
+        EXPECT_NEAR(lines[0].points.back().weight, 0, 1e-9);
+        EXPECT_GE(widths(lines[0], 6 * pen).first, 0.13 - 1e-9) << "black";
+        EXPECT_NEAR(widths(lines[0], 3.5).second, line.points[0].weight < 1 ? 0.13 : pen, 1e-9);
+    }
+    std::vector<DrawnLine> lines = {strong, line(LineClass::Outline, {{0, -5}, {0, 5}}),
+                                    line(LineClass::Outline, {{10, -5}, {10, 5}})};
+    pointEnds(lines, pensOf(Weights::Illustrator));
+    EXPECT_EQ(widths(lines[0], 0), std::pair(pen, pen));
+}
+
 /// Along x to 10 mm, in steps of .1, towards an outline across the axis at `x`.
 std::vector<DrawnLine> headingFor(double x, double weight = 1) {
     DrawnLine line = hooked(0, 0);

@@ -93,6 +93,32 @@ TEST(Thinning, LeavesOutWhatIsTooShortToBeSeen) {
     EXPECT_EQ(thinOut({circle(25 * pen)}, pens).size(), 1u);
 }
 
+/// Of lines that meet nothing, below 4 mm.
+std::size_t whole(const std::vector<DrawnLine>& lines) {
+    return withoutFragments(lines, 4, pen).size();
+}
+
+TEST(Fragments, AreShortAndMeetNothing) {
+    for (const LineClass c : {LineClass::Inner, LineClass::Contour}) {
+        const DrawnLine fragment = straight({0, 0}, {3.9, 0}, 1, c);
+        EXPECT_EQ(whole({fragment}), 0u);
+        EXPECT_EQ(whole({straight({0, 0}, {4.1, 0}, 1, c)}), 1u);
+        EXPECT_EQ(whole({fragment, straight({4.2, -9}, {4.2, 9})}), 2u);  // meets
+        EXPECT_EQ(whole({fragment, straight({4.6, -9}, {4.6, 9})}), 1u);
+    }
+    EXPECT_EQ(whole({straight({0, 0}, {3.9, 0}, 1, LineClass::Edge)}), 1u);
+    EXPECT_EQ(whole({circle(7.9)}), 0u);
+    EXPECT_EQ(whole({circle(8.1)}), 1u);
+}
+
+TEST(Fragments, AreNoStrokesOfATexture) {
+    const DrawnLine fragment = straight({0, 0}, {3, 0});
+    EXPECT_EQ(whole({fragment, straight({0, 2.5}, {3, 2.5})}), 2u);
+    EXPECT_EQ(whole({fragment, straight({0, 3.5}, {3, 3.5})}), 0u);    // too far away
+    EXPECT_EQ(whole({fragment, straight({1, 2.5}, {2.2, 2.5})}), 0u);  // unlike
+    EXPECT_EQ(whole({fragment, straight({1.5, 1}, {1.5, 3.5})}), 0u);  // across
+}
+
 std::size_t strokes(const std::vector<DrawnLine>& lines, bool with_contours = false) {
     return chain(lines, pens, with_contours).size();
 }
@@ -124,6 +150,39 @@ TEST(Chaining, GoesAroundCorners) {
     const auto chained = chain({towards(0, 180), towards(0, 100), towards(0, 30)}, pens, false);
     ASSERT_EQ(chained.size(), 2u);  // what goes straight on comes first
     EXPECT_NEAR(lengthOf(chained[0].points), 18, 0.1);
+}
+
+/// Of 4 mm and 115°, to the left of or right of the x axis, from or towards its middle.
+DrawnLine arc(double x, double side, bool is_towards) {
+    DrawnLine line{LineClass::Inner, false, {}};
+    for (double angle = 0; angle <= 2; angle += 0.05) {
+        const Vector2d p(2 * std::sin(angle), side * 2 * (1 - std::cos(angle)));
+        line.points.push_back(
+            {{x + (is_towards ? -1 : 1) * p.x(), p.y()}, 1, laplacian_lines::kNoSightNode, false});
+    }
+    return line;
+}
+
+TEST(Chaining, LeavesCurlsApart) {
+    for (const double gap : {0., 0.4, 1.}) {
+        EXPECT_EQ(strokes({arc(0, 1, true), arc(gap, 1, false)}), 1u) << gap;
+        EXPECT_EQ(strokes({arc(0, 1, true), arc(gap, -1, false)}), 2u) << gap;
+        EXPECT_EQ(strokes({arc(0, 1, true), straight({gap, 0}, {gap + 9, 0})}), 1u) << gap;
+    }
+}
+
+TEST(Chaining, JoinsContoursOverGapsThatNothingEndsIn) {
+    const DrawnLine first = straight({0, 0}, {10, 0}, 1, LineClass::Contour),
+                    second = straight({11.5, 0}, {20, 0}, 1, LineClass::Contour);
+    EXPECT_EQ(strokes({first, second}, true), 1u);
+    EXPECT_EQ(strokes({first, second}), 2u);
+    EXPECT_EQ(strokes({first, straight({11.5, 0}, {20, 0})}, true), 1u);
+    const DrawnLine over = straight({10, -3}, {10, 3}, 1, LineClass::Contour);
+    EXPECT_EQ(strokes({first, second, over}, true), 3u);
+    DrawnLine edge = second;
+    for (DrawnPoint& point : edge.points)
+        point.is_exact = true;
+    EXPECT_EQ(strokes({first, edge}, true), 2u);
 }
 
 TEST(Chaining, ClosesARingOfTwoHalves) {

@@ -18,6 +18,7 @@ constexpr double area_tone = 0.9;
 constexpr double area_tolerance = 0.001;  // mm: what files have
 constexpr double eased_share = 0.16;      // of the width of outlines, by which contours may move
 constexpr double eased_share_of_inner = 0.6;  // of the width of inner lines, by which these may
+constexpr double least_share = 0.03;          // of the picture, of lines that meet nothing
 constexpr double hatch_spacing = 1.5, hatch_width = 0.5;  // mm; share of an inner line's width
 
 struct LayerName {
@@ -123,9 +124,8 @@ std::vector<DrawnLine> drawLines(const DrawnView& view, const Placement& placeme
     lines = withoutSlightLines(std::move(lines), options);
     easeLines(lines, eased_share * pen);
     lines = withoutDoubles(std::move(lines), double_reach * pen);
-    const auto makeWhole = [&] {
-        lines = chain(std::move(lines), options.pens, options.strokes == StrokeStyle::Tapered);
-    };
+    const bool is_tapered = options.strokes == StrokeStyle::Tapered;
+    const auto makeWhole = [&] { lines = chain(std::move(lines), options.pens, is_tapered); };
     cutHooks(lines, inner_pen);
     makeWhole();
     cutHooks(lines, inner_pen);  // of what was too short by itself
@@ -134,7 +134,8 @@ std::vector<DrawnLine> drawLines(const DrawnView& view, const Placement& placeme
     const std::vector<MetEnd> met = joinEnds(lines, inner_pen);
     easeInnerLines(lines, eased_share_of_inner * inner_pen);
     followMet(met, inner_pen, lines);
-    return lines;
+    const double size = placement.onSheet(view.bounds).sizes().maxCoeff();
+    return withoutFragments(std::move(lines), least_share * size, inner_pen);
 }
 
 SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& placement,
@@ -143,6 +144,7 @@ SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& 
     const std::string key = has_name ? lower(view.frame.name) : "view-" + std::to_string(number);
     SheetGroup group{key, view.frame.name, {}};
     std::vector<DrawnLine> lines = drawLines(view, placement, options);
+    if (options.strokes == StrokeStyle::Tapered) pointEnds(lines, options.pens);
     const std::vector<MergedWalls> walls = place(view.walls, placement);
     if (options.wall == WallStyle::Hatched) addHatching(walls, lines);
     if (options.area != OutlineArea::None) group.layers.push_back(areas(view, placement));

@@ -23,18 +23,31 @@ constexpr double swelling = 4;             // over which widths pass into each o
 constexpr double longest_gap_share = 0.5;  // of the shorter line
 constexpr double gap_cosine = 0.866;       // of 30°, to the way over the gap: an arc turns by 60°
 constexpr double meeting_cosine = 0.766;   // of 40°
+constexpr double bend_reach = 8;           // 2 √h
+constexpr double clear_bend = 0.524;       // radians: 30°
 constexpr double corner_cosine = -0.342;   // of 110°; beyond it is another side of the fold
 
 struct End {
     std::size_t line;
     bool is_last;
     Vector2d position, outwards;
+    double bend;  // radians to the left on the way out, over bend_reach, if it is an arc
 };
 
 struct Bond {
     std::size_t ends[2];
     double gap;
 };
+
+double angleBetween(const Vector2d& from, const Vector2d& to) {
+    return std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+}
+
+/// Whether a way turns to one side, where it turns clearly.
+bool turnsOneWay(std::initializer_list<double> turns) {
+    const auto [least, most] = std::minmax(turns);
+    return least > -clear_bend || most < clear_bend;
+}
 
 class Chaining {
 public:
@@ -78,12 +91,19 @@ private:
 
     End endOf(std::size_t i, bool is_last) const {
         const std::vector<DrawnPoint>& points = lines_[i].points;
-        return {i, is_last, (is_last ? points.back() : points.front()).position,
-                outwardsAt(points, is_last, tangent_reach * pen_)};
+        const Vector2d outwards = outwardsAt(points, is_last, tangent_reach * pen_),
+                       before = outwardsAt(points, is_last, bend_reach * pen_);
+        return {i, is_last, (is_last ? points.back() : points.front()).position, outwards,
+                2 * bend_reach / (bend_reach - tangent_reach) * angleBetween(before, outwards)};
     }
 
     bool isContour(const End& end) const {
         return lines_[end.line].line_class == LineClass::Contour;
+    }
+
+    /// Whether an end is one of the form, too: a contour along sharp edges.
+    bool isEdge(const End& end) const {
+        return isContour(end) && !isCurvedContour(lines_[end.line]);
     }
 
     /// Pairs of ends that continue each other, best first.
@@ -127,14 +147,19 @@ private:
             if (turn < (is_corner ? corner_cosine : meeting_cosine)) return {};
         } else {
             const double shorter = std::min(lengths_[a.line], lengths_[b.line]);
-            if (isContour(a) || isContour(b) || gap > longest_gap * pen_ ||
+            if (isEdge(a) || isEdge(b) || gap > longest_gap * pen_ ||
                 gap > longest_gap_share * shorter || a.outwards.dot(way) < gap_cosine * gap ||
-                -b.outwards.dot(way) < gap_cosine * gap)
+                -b.outwards.dot(way) < gap_cosine * gap || meetsOther(a) || meetsOther(b))
                 return {};
         }
+        if (!isContour(a) && !isContour(b) &&
+            !turnsOneWay({a.bend, angleBetween(a.outwards, -b.outwards), -b.bend}))
+            return {};
         if (gap > same_place * pen_ && isCrossed(a, b)) return {};  // which takes longest
         return gap + (1 - turn) * longest_gap * pen_;
     }
+
+    bool meetsOther(const End& end) const { return all_.isNear(end.position, end.line, pen_ / 2); }
 
     bool isCrossed(const End& a, const End& b) const {
         constexpr int samples = 7;

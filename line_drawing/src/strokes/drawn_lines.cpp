@@ -214,6 +214,14 @@ std::optional<DrawnLines::Neighbour> DrawnLines::nextOn(
     return nearest;
 }
 
+bool isCurvedContour(const DrawnLine& line) {
+    return line.line_class == LineClass::Contour && isSmooth(line);
+}
+
+bool isOnCurved(const DrawnLine& line) {
+    return isInner(line) || isCurvedContour(line);
+}
+
 DrawnLines allOf(const std::vector<DrawnLine>& lines, double reach) {
     DrawnLines all(reach);
     for (std::size_t i = 0; i < lines.size(); ++i)

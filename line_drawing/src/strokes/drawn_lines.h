@@ -75,6 +75,11 @@ private:
     std::unordered_map<Cell, std::vector<Piece>> pieces_;  // in squares as wide as the reach
 };
 
+bool isCurvedContour(const DrawnLine& line);
+
+/// Whether a line shows the form of a curved surface: an inner line, or a contour.
+bool isOnCurved(const DrawnLine& line);
+
 DrawnLines allOf(const std::vector<DrawnLine>& lines, double reach);
 
 /// Calls `keep` once with the number of each line; it returns whether the line is drawn whole. In

@@ -179,10 +179,6 @@ std::vector<DrawnLine> withoutEqual(const std::vector<DrawnLine>& lines, double 
 // mm; the second one of contours of curved surfaces, which the roughness of a scan makes
 constexpr double shortest_line = 0.8, shortest_contour_end = 3 * shortest_line;
 
-bool isCurvedContour(const DrawnLine& line) {
-    return line.line_class == LineClass::Contour && isSmooth(line);
-}
-
 bool isSlight(const DrawnLine& line, const SheetOptions& options) {
     return isCurvedContour(line) && line.jump < options.pens[std::size_t(LineClass::Inner)];
 }

@@ -124,33 +124,53 @@ private:
 
 // of inner lines, in pens
 constexpr double longest_hook = 6;  // 1.5 √h
-constexpr double line_reach = 4;    // over which the direction of the line before it is taken
+constexpr double line_reach = 4;    // over which directions before and after a bend are taken
 constexpr double same_place = 0.5;
 constexpr double step = 0.5;
 
 constexpr double longest_lead = 3;
 constexpr double direction_reach = 3;  // of an end
 constexpr double shift_reach = 4;      // over which a line follows its end
+constexpr double point_length = 6;     // at most a third of the line
 
-constexpr double hook_cosine = 0.5;   // of 60°
-constexpr double lead_cosine = 0.7;   // of 45°
-constexpr double least_weight = 0.5;  // of ends that are led on; fainter ones taper off
+constexpr double longest_faint_hook = 1 / 3.;  // of the line
+constexpr double faint = 0.75;                 // of the mean weight of the line before a hook
+constexpr double hook_cosine = 0.5;            // of 60°
+constexpr double lead_cosine = 0.7;            // of 45°
+constexpr double least_weight = 0.5;           // of ends that are led on; fainter ones taper off
+
+/// Whether what follows a point is fainter than what is before it.
+bool isFaint(const std::vector<DrawnPoint>& points, std::size_t at) {
+    const auto mean = [&](std::size_t begin, std::size_t end) {
+        double sum = 0;
+        for (std::size_t i = begin; i < end; ++i)
+            sum += points[i].weight;
+        return sum / double(end - begin);
+    };
+    return mean(at, points.size()) < faint * mean(0, at);
+}
 
 /// The point from which the line bends aside most; the last one if it does not.
 std::size_t beginOfHook(const std::vector<DrawnPoint>& points, double pen) {
     const std::size_t last = points.size() - 1;
+    const double longest = std::max(longest_hook * pen, longest_faint_hook * lengthOf(points));
     std::size_t begin = last;
     double least = hook_cosine, length = 0;
     for (std::size_t i = last - 1; i > 0; --i) {
         length += (points[i + 1].position - points[i].position).norm();
-        if (length > longest_hook * pen) break;
-        std::size_t before = i;
-        while (before > 0 &&
-               (points[i].position - points[before].position).norm() < line_reach * pen)
+        if (length > longest) break;
+        const auto distance = [&](std::size_t k) {
+            return (points[k].position - points[i].position).norm();
+        };
+        std::size_t before = i, after = i;
+        while (before > 0 && distance(before) < line_reach * pen)
             --before;
+        while (after < last && distance(after) < line_reach * pen)
+            ++after;
         const Vector2d along = (points[i].position - points[before].position).stableNormalized();
-        const Vector2d hook = (points[last].position - points[i].position).stableNormalized();
+        const Vector2d hook = (points[after].position - points[i].position).stableNormalized();
         if (along.dot(hook) >= least) continue;
+        if (length > longest_hook * pen && !isFaint(points, i)) continue;
         least = along.dot(hook);
         begin = i;
     }
@@ -179,6 +199,34 @@ void cutHooks(std::vector<DrawnLine>& lines, double pen) {
                 points.resize(beginOfHook(points, pen) + 1);
         }
         line.points = std::move(points);
+    }
+}
+
+void pointEnds(std::vector<DrawnLine>& lines, const Pens& pens) {
+    const double pen = pens[std::size_t(LineClass::Inner)];
+    const DrawnLines all = allOf(lines, pen);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        DrawnLine& line = lines[i];
+        if (!isOnCurved(line)) continue;
+        const bool is_contour = isCurvedContour(line);
+        const double least = pens[std::size_t(LineClass::Fine)] /
+                             (is_contour ? pens[std::size_t(LineClass::Contour)] : pen);
+        const double length = lengthOf(line.points), third = length / 3;
+        const auto is_loose = [&](const DrawnPoint& end) {
+            return !line.closed && !all.isNear(end.position, i, same_place * pen);
+        };
+        const bool begins = is_loose(line.points.front()), ends = is_loose(line.points.back());
+        line.points = refine(line.points, pen);
+        double at = 0;
+        const DrawnPoint* before = &line.points.front();
+        for (DrawnPoint& point : line.points) {
+            at += (point.position - before->position).norm();
+            before = &point;
+            const double to_end = std::min(begins ? at : length, ends ? length - at : length);
+            const double swelling = is_contour ? 1 : std::min(1., to_end / third);
+            point.weight = std::min(1., to_end / std::min(point_length * pen, third)) *
+                           std::max(swelling * point.weight, least);
+        }
     }
 }
 

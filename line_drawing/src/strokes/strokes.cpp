@@ -13,7 +13,6 @@ using Points = std::vector<Vector2d>;
 
 constexpr double tolerance = 0.02;        // mm; of curves against the lines
 constexpr double thinnest_stroke = 0.06;  // mm; where it is less a line is drawn so thin
-constexpr double thinnest_middle = 0.04;  // mm; lines that are nowhere wider are left out
 
 constexpr double largest_unevenness = 0.01;  // share of the width that nobody sees
 constexpr double cosine_of_join = 0.9;       // of 26°; smaller turns are mitred, larger ones round
@@ -171,7 +170,6 @@ std::optional<SheetPath> drawStroke(const DrawnLine& line, const SheetOptions& o
     const Spine spine = spineOf(line, full);
     if (spine.points.size() < 2) return {};
     if (is_hidden && spine.length < shortest_dashed_line) return {};
-    if (*std::max_element(spine.widths.begin(), spine.widths.end()) < thinnest_middle) return {};
     const bool closed = line.closed && spine.points.size() > 3;
     SheetPath result;
     if (is_tapered && !isEven(spine)) {

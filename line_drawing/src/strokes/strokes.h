@@ -27,22 +27,33 @@ void joinLooseEnds(std::vector<DrawnLine>& lines, const std::vector<DrawnLine>& 
 std::vector<DrawnLine> withoutDoubles(std::vector<DrawnLine> lines, double reach);
 
 /// Joins inner lines that continue each other into one stroke, where they meet or across gaps of up
-/// to eight pens, half as long as either line, that no other line crosses; and contours within the
-/// surface that meet. With `mixes_kinds`, also inner lines and contours whose ends meet, blending
-/// their widths. `pens`: widths in mm, by LineClass.
+/// to eight pens, half as long as either line, that no other line crosses, if all turns to one
+/// side; and contours within the surface that meet. With `mixes_kinds`, contours of curved surfaces
+/// are joined as inner lines are, whichever way they turn, also to these, blending their widths.
+/// `pens`: widths in mm, by LineClass.
 std::vector<DrawnLine> chain(std::vector<DrawnLine> lines, const Pens& pens, bool mixes_kinds);
 
 /// Leaves white between lines, mm on the sheet: strongest first, an inner line goes where it runs
 /// within three pens of another one, or within half a pen of an outline, contour or edge, but not
 /// where lines cross or meet. So do strokes shorter than six pens, those within four pens of each
-/// other, loops below 24, then contours of curved surfaces below six pens that meet no line.
+/// other, and loops below 24.
 /// `pens`: widths in mm, by LineClass.
 std::vector<DrawnLine> thinOut(std::vector<DrawnLine> lines, const Pens& pens);
 
 /// Cuts off bent ends of inner lines, where a zero of the Laplacian runs around the end of a
-/// feature; an illustrator would not draw that. Ends that meet another line stay. `pen`: of inner
-/// lines, mm.
+/// feature; an illustrator would not draw that. Up to six pens long, or a third of the line if they
+/// are fainter than it. Ends that meet another line stay. `pen`: of inner lines, mm.
 void cutHooks(std::vector<DrawnLine>& lines, double pen);
+
+/// Leaves out inner lines and contours of curved surfaces that are shorter than `shortest`, mm, or
+/// rings of twice that, and meet no other line, but for inner lines with a like one beside them,
+/// which are a texture.
+std::vector<DrawnLine> withoutFragments(std::vector<DrawnLine> lines, double shortest, double pen);
+
+/// Makes inner lines and contours of curved surfaces at least as wide as fine lines, and has them
+/// end in a point where they meet no other line; inner lines swell over a third of their length.
+/// `pens`: widths in mm, by LineClass.
+void pointEnds(std::vector<DrawnLine>& lines, const Pens& pens);
 
 /// An end of an inner line that meets another line.
 struct MetEnd {

@@ -24,7 +24,7 @@ constexpr double least_ink = 6;       // mean weight times length
 constexpr double shortest_loop = 24;  // 6 √h
 constexpr double longest_crossing = 7.5, longest_near_pass = 5;  // at another line, or near one
 constexpr double longest_touch = 3, longest_near_end = 2;        // likewise, of an end
-constexpr double same_place = 0.2, same_end = 0.5;
+constexpr double same_place = 0.2, meeting = 2;
 /// Remains of a fold are an island between others, unless this long or this share of it.
 constexpr double longest_island = 24, least_share = 0.5;
 constexpr double step = 0.2;
@@ -41,24 +41,6 @@ double extentOf(const DrawnLine& line) {
     for (const DrawnPoint& point : line.points)
         box.extend(point.position);
     return box.diagonal().norm();
-}
-
-/// Removes contours of bumps of a curved surface that are shorter than inner lines and meet
-/// nothing.
-std::vector<DrawnLine> withoutSpecks(std::vector<DrawnLine> lines, double pen) {
-    const DrawnLines all = allOf(lines, pen);
-    const auto is_speck = [&](std::size_t i) {
-        const DrawnLine& line = lines[i];
-        if (line.line_class != LineClass::Contour || !isSmooth(line) || line.closed ||
-            lengthOf(line.points) >= shortest_stroke * pen)
-            return false;
-        return !all.isNear(line.points.front().position, i, same_end * pen) &&
-               !all.isNear(line.points.back().position, i, same_end * pen);
-    };
-    std::vector<DrawnLine> rest;
-    for (std::size_t i = 0; i < lines.size(); ++i)
-        if (!is_speck(i)) rest.push_back(lines[i]);
-    return rest;
 }
 
 double strengthOf(const DrawnLine& line) {
@@ -225,13 +207,45 @@ private:
     DrawnLines kept_;
 };
 
+/// Whether a like stroke lies beside a line, no farther away than it is long: both are of a
+/// texture.
+bool isRepeated(const std::vector<DrawnPoint>& line, const DrawnLines& all,
+                const std::vector<double>& lengths, std::size_t number) {
+    const double length = lengths[number];
+    const auto is_other_kind = [&](std::size_t i) {
+        return i == number || lengths[i] < length / 2 || lengths[i] > 2 * length;
+    };
+    const Vector2d way = (line.back().position - line.front().position).stableNormalized();
+    const Vector2d side(-way.y(), way.x()), middle = line[line.size() / 2].position;
+    return all.nextOn(middle, side, {0, length}, is_other_kind) ||
+           all.nextOn(middle, -side, {0, length}, is_other_kind);
+}
+
 }  // namespace
+
+std::vector<DrawnLine> withoutFragments(std::vector<DrawnLine> lines, double shortest, double pen) {
+    const DrawnLines all = allOf(lines, shortest);
+    std::vector<double> lengths;
+    for (const DrawnLine& line : lines)  // a ring goes there and back
+        lengths.push_back(lengthOf(line.points) / (line.closed ? 2 : 1));
+    std::vector<DrawnLine> rest;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const std::vector<DrawnPoint>& points = lines[i].points;
+        const auto meets = [&](const DrawnPoint& end) {
+            return all.isNear(end.position, i, meeting * pen);
+        };
+        if (!isOnCurved(lines[i]) || lengths[i] >= shortest || meets(points.front()) ||
+            meets(points.back()) || (isInner(lines[i]) && isRepeated(points, all, lengths, i)))
+            rest.push_back(lines[i]);
+    }
+    return rest;
+}
 
 std::vector<DrawnLine> thinOut(std::vector<DrawnLine> lines, const Pens& pens) {
     Thinning thinning(pens);
     std::vector<DrawnLine> result, contours, inner;
     for (DrawnLine& line : lines) {
-        const bool is_curved = line.line_class == LineClass::Contour && isSmooth(line);
+        const bool is_curved = isCurvedContour(line);
         if (line.line_class != LineClass::Hidden && !isInner(line) && !is_curved)
             thinning.addOutline(line);
         (isInner(line) ? inner : is_curved ? contours : result).push_back(std::move(line));
@@ -245,7 +259,7 @@ std::vector<DrawnLine> thinOut(std::vector<DrawnLine> lines, const Pens& pens) {
         strengths.push_back(strengthOf(line));
     forEachByFamilies(inner, strengths, between_lines * pens[std::size_t(LineClass::Inner)],
                       [&](std::size_t i) { return thinning.addFree(inner[i], result); });
-    return withoutSpecks(std::move(result), pens[std::size_t(LineClass::Inner)]);
+    return result;
 }
 
 }  // namespace line_drawing
