@@ -62,12 +62,14 @@ std::vector<std::uint32_t> first_equal_triangles(const std::vector<Triangle>& tr
     });
 }
 
-/// Has triangles use other vertices. Drops those without height, and all but one of those with the
-/// same corners.
 void replace_vertices(const std::vector<std::uint32_t>& by, SightMesh& mesh) {
     for (Triangle& t : mesh.triangles)
         for (std::uint32_t& v : t)
             v = by[v];
+}
+
+/// Drops triangles without height, and all but one of those with the same corners.
+void drop_triangles(SightMesh& mesh) {
     keep_triangles(
         mesh, [&](std::uint32_t t) { return height_of(mesh, mesh.triangles[t]) > mesh.precision; });
     const std::vector<std::uint32_t> first = first_equal_triangles(mesh.triangles);
@@ -81,6 +83,7 @@ bool weld(const std::vector<std::array<std::uint32_t, 2>>& pairs, SightMesh& mes
     for (const auto& [a, b] : pairs)
         sets.unite(a, b);
     replace_vertices(sets.take_roots(), mesh);
+    drop_triangles(mesh);
     return true;
 }
 
@@ -290,6 +293,7 @@ void find_bodies(SightMesh& mesh) {
 void find_edges(SightMesh& mesh, const StageProgress& stage) {
     replace_vertices(first_equal_positions(mesh.positions), mesh);
     unfold_needles(mesh.positions, mesh.triangles);
+    drop_triangles(mesh);
     stage.report(0.3);
     std::vector<bool> on_border = border_vertices(mesh);
     if (weld_borders(on_border, mesh)) on_border = border_vertices(mesh);

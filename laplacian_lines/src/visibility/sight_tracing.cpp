@@ -183,7 +183,10 @@ private:
         const SightSegments::Line& of = all_.lines[segment.line];
         const LinePoint* const a =
             &of.set->points[of.line->first + segment.points[0] - of.first_point];
-        const auto t = float(share_at(all_, piece, int(half % 2)));
+        const double share = share_at(all_, piece, int(half % 2));
+        // not by way of local coordinates, which may be coarser than the line's
+        point.position = (1 - share) * of.set->place(a[0]) + share * of.set->place(a[1]);
+        const auto t = float(share);
         const auto between = [&](float LinePoint::*value) {
             return (1 - t) * a[0].*value + t * a[1].*value;
         };
