@@ -11,7 +11,7 @@
 #include "clusters/cluster_partition.h"
 #include "clusters/coarseness.h"
 #include "clusters/linear_forms.h"
-#include "field/tensor_fits.h"
+#include "field/derivative_scale.h"
 #include "mesh/flat_faces.h"
 #include "rules/convexity.h"
 #include "system/large_array.h"
@@ -85,7 +85,7 @@ public:
         stage.report(0);
         plain_ = find_plain_triangles(mesh_);
         const CornerTable sides(mesh_.triangles, mesh_.size());
-        data_.flat_share = flat_share(mesh_, sides);
+        data_.flat_share = flat_faces(mesh_, sides).share;
         coarse_ = find_coarse_triangles(mesh_, data_.flat_share > kMadeShare, field_);
         partition_ = partition(mesh_, sides, coarse_);
         stage.report(kPartitioned);

@@ -7,7 +7,7 @@
 #include "clusters/cluster_building.h"
 #include "clusters/coarseness.h"
 #include "clusters/linear_forms.h"
-#include "field/tensor_fits.h"
+#include "field/derivative_scale.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/field_columns.h"
 #include "system/large_array.h"

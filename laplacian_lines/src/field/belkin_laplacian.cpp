@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "field/belkin_laplacian.h"
+#include "field/field_steps.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "sums/gaussian_sums.h"
+#include "sums/summation_cost.h"
 #include "system/large_array.h"
 
 namespace laplacian_lines {
@@ -15,6 +16,7 @@ constexpr double kQuickAccuracy = 0.5e-3;  // from which on quick Gaussians may 
 // Less of the kernel than this is on the surface only at the tip of a border's corner.
 constexpr double kLeastKernelMass = 0.2;
 
+/// Of the kernel's second moment, beyond k √h, u = k²/4.
 double tail(double u) {
     return (1 + u) * std::exp(-u);
 }
@@ -26,9 +28,8 @@ double roughness(const std::vector<float>& kernel_sizes, const ShapeOperators& s
     return std::sqrt(sum / double(kernel_sizes.size()));
 }
 
-}  // namespace
-
-double belkin_cutoff(double accuracy) {
+/// Radius, in √h, beyond which the part `accuracy` of the kernel's second moment lies.
+double cutoff_of(double accuracy) {
     double low = 0, high = 100;  // tail() falls from 1 to 4e-42
     for (int i = 0; i < 60; ++i) {
         const double middle = (low + high) / 2;
@@ -37,22 +38,19 @@ double belkin_cutoff(double accuracy) {
     return 2 * std::sqrt(high);
 }
 
-GaussianKernel belkin_kernel(const std::vector<float>& kernel_sizes, const BelkinOptions& options) {
-    GaussianKernel kernel;
-    kernel.kernel_sizes = kernel_sizes;
-    kernel.quick = options.accuracy >= kQuickAccuracy;
-    kernel.cutoff = belkin_cutoff(options.accuracy - (kernel.quick ? kQuickError : 0));
-    kernel.facing = options.skip_opposite_sheet;
-    return kernel;
-}
+}  // namespace
 
 std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const SpatialTree& tree,
                                               const std::vector<Eigen::Vector3d>& normals,
                                               const std::vector<float>& kernel_sizes,
                                               const ShapeOperators& shape_operators,
-                                              const BelkinOptions& options,
+                                              const PrecomputeOptions& options,
                                               const StageProgress& stage) {
-    const GaussianKernel kernel = belkin_kernel(kernel_sizes, options);
+    GaussianKernel kernel;
+    kernel.kernel_sizes = kernel_sizes;
+    kernel.quick = options.accuracy >= kQuickAccuracy;
+    kernel.cutoff = cutoff_of(options.accuracy - (kernel.quick ? kQuickError : 0));
+    kernel.facing = options.skip_opposite_sheet;
     const GridResolution resolution =
         grid_resolution(options.accuracy, roughness(kernel_sizes, shape_operators));
     const SummationCosts costs = summation_costs(mesh, tree, kernel, resolution);

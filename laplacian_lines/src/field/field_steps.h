@@ -4,15 +4,15 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "field/symmetric_tensor.h"
 #include "laplacian_lines/field.h"
 #include "laplacian_lines/precompute_options.h"
 #include "mesh/prepared_mesh.h"
 #include "mesh/spatial_tree.h"
 #include "mesh/vertex_ranges.h"
-#include "sums/gaussian_sums.h"
 #include "system/parallel.h"
 
-/// Steps of precompute(), in order; belkin_laplacian.h and shape_operators.h come before the last.
+/// Steps of precompute(), in order.
 namespace laplacian_lines {
 
 /// Unit normals, [N]: the weighted mean of the incident triangles' normals.
@@ -45,8 +45,8 @@ constexpr double kLargestRoughness = 0.5;
 /// instead of 0.8 than by 3.2 instead of 1.6, lower quartiles of a thousand vertices. Smoothing
 /// removes terraces at the finest scale, form at the coarsest. Counts less where most normals are
 /// within 2 degrees of their neighbours' mean; 0 where a mesh is too coarse to tell or has too many
-/// vertices near each other, and if it would be rough but has_large_faces(). Mean edges are times
-/// relative_sizes[v].
+/// vertices near each other, and if it would be rough but its flat faces are_large(). Mean edges
+/// are times relative_sizes[v].
 double measure_roughness(const PreparedMesh& mesh, const VertexRanges& ranges,
                          const SpatialTree& tree, const std::vector<float>& relative_sizes,
                          const std::vector<Eigen::Vector3d>& normals, const StageProgress& stage);
@@ -60,20 +60,59 @@ void smooth_normals(const PreparedMesh& mesh, const SpatialTree& tree,
                     const PrecomputeOptions& options, const StageProgress& stage,
                     std::vector<Eigen::Vector3d>& normals);
 
+/// [N], local units.
+using ShapeOperators = std::vector<SymmetricTensor>;
+
+/// By the curvature tensor of each triangle: S. Rusinkiewicz, "Estimating Curvatures and Their
+/// Derivatives on Triangle Meshes", 3DPVT 2004.
+ShapeOperators fit_triangles(const PreparedMesh& mesh, const VertexRanges& ranges,
+                             const std::vector<Eigen::Vector3d>& normals,
+                             const StageProgress& stage);
+
+/// Least squares over the vertices within `radius` (the paper's Eq. 3), but solved in the tangent
+/// plane, because the 3x3 system's normal component takes up second-order terms (100 % error), and
+/// for S instead of ∇I, which is linear in the eye. Keeps `fallback` where the ball holds too few
+/// vertices.
+ShapeOperators fit_balls(const PreparedMesh& mesh, const SpatialTree& tree,
+                         const std::vector<Eigen::Vector3d>& normals, double radius, bool same_side,
+                         const ShapeOperators& fallback, const StageProgress& stage);
+
+/// Averages S over one-rings, neighbours projected on the tangent plane.
+void smooth_over_one_rings(const PreparedMesh& mesh, const VertexRanges& ranges,
+                           const std::vector<Eigen::Vector3d>& normals, int passes,
+                           const StageProgress& stage, ShapeOperators& operators);
+
+/// Δn, [N], local units, by L f(p) = 1/(4πh²) Σ_q m_q exp(−|q−p|²/4h) (f(q) − f(p)): M. Belkin, J.
+/// Sun, Y. Wang, "Discrete Laplace Operator on Meshed Surfaces", SoCG 2008; Eq. 2 of Laplacian
+/// Lines, its sum over triangles and corners written as one over vertices. "Skip Opposite Sheet"
+/// multiplies the terms by facing_weight(n_q·n_p).
+std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const SpatialTree& tree,
+                                              const std::vector<Eigen::Vector3d>& normals,
+                                              const std::vector<float>& kernel_sizes,
+                                              const ShapeOperators& shape_operators,
+                                              const PrecomputeOptions& options,
+                                              const StageProgress& stage);
+
 /// Δn, [N], local units, by cotangent weights over the vertex mass: U. Pinkall, K. Polthier,
 /// "Computing Discrete Minimal Surfaces and Their Conjugates", 1993. Does not converge on irregular
 /// triangulations (the paper's Fig. 2); kept for comparison.
 std::vector<Eigen::Vector3d> cotangent_laplacian(const PreparedMesh& mesh,
                                                  const std::vector<Eigen::Vector3d>& normals);
 
+/// Gives the vertices that undone subdivisions had added the means of what is at the ends of their
+/// edges: normals, Δn, S, kernel sizes.
+void fill_midpoints(const PreparedMesh& mesh, Field& field);
+
+/// The same of S̄ and C, carried from the ends' tangent frames to theirs.
+void fill_midpoint_derivatives(const PreparedMesh& mesh, Field& field);
+
 /// Fills Field::smooth_curvatures and curvature_derivatives from the rest of the field alone, so
 /// that it does not matter where that comes from. C is the slope of the linear function, in the
-/// tangent plane, that best fits S of the vertices within kDerivativeReach √h, weighted by mass,
-/// nearness and how they face. The fit cancels what triangle shapes and noise add; docs/accuracy.md
-/// compares. With too few vertices: set_ring_derivatives(). S̄ is the value of such a fit, within
-/// kSmoothReach √h, at the vertex, or S with too few vertices. Borders do not bias it.
+/// tangent plane, that best fits S of the vertices within 3.4 √h, weighted by mass, nearness and
+/// how they face. The fit cancels what triangle shapes and noise add; docs/accuracy.md compares.
+/// With too few vertices: the mean of differences within triangles. S̄ is the value of such a fit,
+/// within 1.4 √h, at the vertex, or S with too few vertices. Borders do not bias it.
 void fill_curvature_derivatives(const PreparedMesh& mesh, const SpatialTree& tree,
-                                const VertexRanges& ranges, const StageProgress& stage,
-                                Field& field);
+                                const StageProgress& stage, Field& field);
 
 }  // namespace laplacian_lines

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "field/midpoint_values.h"
+#include "field/field_steps.h"
 
 #include <algorithm>
 #include <complex>
@@ -59,11 +59,9 @@ void fill_midpoint_derivatives(const PreparedMesh& mesh, Field& field) {
         CubicForm derivative{};
         for (const std::uint32_t end : m.ends) {
             const auto direction = direction_in(tangent_frame(field.normals[end]), to);
-            curvature +=
-                turned(field.smooth_curvatures[end].cast<double>(), direction) / 2;
+            curvature += turned(field.smooth_curvatures[end].cast<double>(), direction) / 2;
             const Eigen::Vector4d c = field.curvature_derivatives[end].cast<double>();
-            derivative.add(
-                CubicForm::of(c[0], c[1], c[2], c[3]).turned(std::conj(direction)), 0.5);
+            derivative.add(CubicForm::of(c[0], c[1], c[2], c[3]).turned(std::conj(direction)), 0.5);
         }
         field.smooth_curvatures[m.vertex] = curvature.cast<float>();
         field.curvature_derivatives[m.vertex] = derivative.entries().cast<float>();

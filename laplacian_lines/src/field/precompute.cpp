@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "field/belkin_laplacian.h"
 #include "field/field_steps.h"
-#include "field/midpoint_values.h"
-#include "field/shape_operators.h"
 #include "laplacian_lines/field_columns.h"
 #include "mesh/prepared_mesh.h"
 #include "sums/summation_cost.h"
@@ -28,23 +26,12 @@ constexpr double kFitCost = 20;       // of a pair of vertices in a fit, in thos
 
 // Share of the time at which each step ends, with the default options.
 constexpr double kPrepared = 0.15, kSorted = 0.3, kSizes = 0.31, kNormals = 0.35;
-constexpr double kSmoothNormals = 0.45, kFitted = 0.55, kTensors = 0.6, kLaplacian = 1;
+constexpr double kSmoothNormals = 0.45, kFitted = 0.55, kTensors = 0.6;
 constexpr double kDerivatives = 0.15;  // of the time that is longer by them
 
 constexpr double kDrawnSigma = 0.25;  // of √h, see PrecomputeOptions::drawn_kernel_size
 // Of triangles finer than the kernel, in mean edges: scans as they come show no less, but calmer.
 constexpr double kFineSigma = 0.8, kSigmaOfFineness = 0.75;
-
-bool smooths_by_roughness(const PrecomputeOptions& options) {
-    return options.normal_smoothing != NormalSmoothing::None && options.normal_sigma == 0;
-}
-
-/// Local units, before adaptation; 0 if automatic.
-double chosen_normal_sigma(const PreparedMesh& mesh, const PrecomputeOptions& options) {
-    return options.normal_smoothing == NormalSmoothing::None
-               ? 0
-               : options.normal_sigma * mesh.mean_edge;
-}
 
 /// From 0 where the kernel is the least for these edges; local units.
 double least_sigma(double kernel_size, double mean_edge) {
@@ -67,180 +54,168 @@ float to_float(double x) {
     return float(std::clamp(x, -kLargestFloat, kLargestFloat));
 }
 
-/// In the input's units.
-FieldScale scale_of(const PreparedMesh& mesh, const PrecomputeOptions& options,
-                    double normal_sigma) {
-    const double d = mesh.diagonal;
-    return {d, mesh.mean_edge * d, global_kernel_size(mesh, options) * d, normal_sigma * d};
+/// [N], local units; √h of a vertex is kernel_size times its relative size.
+struct LocalField {
+    double kernel_size = 0, normal_sigma = 0, roughness = 0;
+    std::vector<float> relative_sizes;
+    std::vector<Eigen::Vector3d> normals, laplacian;
+    ShapeOperators shape_operators;
+};
+
+/// Of the smoothing of normals, local units, before adaptation; 0 if none, or if it is automatic
+/// and the roughness is not known.
+double smoothing_sigma(const PreparedMesh& mesh, const PrecomputeOptions& options,
+                       double kernel_size, std::optional<double> roughness) {
+    if (options.normal_smoothing == NormalSmoothing::None) return 0;
+    if (options.normal_sigma > 0 || !roughness) return options.normal_sigma * mesh.mean_edge;
+    const double of_drawing = options.drawn_kernel_size > 0 ? kDrawnSigma * kernel_size : 0;
+    return std::max({automatic_normal_sigma(*roughness) * mesh.mean_edge,
+                     least_sigma(kernel_size, mesh.mean_edge), of_drawing});
 }
 
-/// Step by step, in local units.
-class FieldComputation {
-public:
-    FieldComputation(const PreparedMesh& mesh, const SpatialTree& tree,
-                     const PrecomputeOptions& options, const Progress& progress)
-        : mesh_(mesh),
-          tree_(tree),
-          ranges_(mesh),
-          options_(options),
-          progress_(progress),
-          kernel_size_(global_kernel_size(mesh, options)),
-          normal_sigma_(chosen_normal_sigma(mesh, options)) {}
+ShapeOperators estimate_shape_operators(const PreparedMesh& mesh, const SpatialTree& tree,
+                                        const VertexRanges& ranges,
+                                        const std::vector<Eigen::Vector3d>& normals,
+                                        const PrecomputeOptions& options,
+                                        const StageProgress& stage) {
+    if (options.gradient_estimator == GradientEstimator::TriangleFit)
+        return fit_triangles(mesh, ranges, normals, stage);
+    const double radius = options.gradient_radius * mesh.mean_edge;
+    refuse_endless_sum(kFitCost * pairs_cost(tree, radius),
+                       "Merge close vertices, or choose a smaller Gradient Radius or the Gradient "
+                       "Estimator Triangle Fit.");
+    return fit_balls(mesh, tree, normals, radius, options.skip_opposite_sheet,
+                     fit_triangles(mesh, ranges, normals, stage.part(0, 0.2)), stage.part(0.2, 1));
+}
 
-    void run() {
-        compute_normals();
-        compute_shape_operators();
-        compute_laplacian();
+std::vector<Eigen::Vector3d> laplacian_of_normals(const PreparedMesh& mesh, const SpatialTree& tree,
+                                                  const LocalField& local,
+                                                  const PrecomputeOptions& options,
+                                                  const StageProgress& stage) {
+    if (options.laplace_operator == LaplaceOperator::Cotangent)
+        return cotangent_laplacian(mesh, local.normals);
+    std::vector<float> sizes = local.relative_sizes;
+    for (float& size : sizes)
+        size *= float(local.kernel_size);
+    return belkin_laplacian(mesh, tree, local.normals, sizes, local.shape_operators, options,
+                            stage);
+}
+
+/// In the input's units.
+FieldScale scale_of(const PreparedMesh& mesh, double kernel_size, double normal_sigma) {
+    const double d = mesh.diagonal;
+    return {d, mesh.mean_edge * d, kernel_size * d, normal_sigma * d};
+}
+
+/// MeshReport::kernel_bend, from a sample of vertices.
+double kernel_bend(const PreparedMesh& mesh, const LocalField& local) {
+    if (local.kernel_size < kLeastChoice * mesh.mean_edge) return 0;
+    const std::size_t step = mesh.size() / kMostBendSamples + 1;
+    std::vector<double> bends;
+    for (std::size_t i = 0; i < mesh.size(); i += step) {
+        const double curvature = std::sqrt(local.shape_operators[i].squaredNorm());
+        bends.push_back(curvature * double(local.relative_sizes[i]) * local.kernel_size);
     }
+    const auto middle = bends.begin() + std::ptrdiff_t(bends.size() / 2);
+    std::nth_element(bends.begin(), middle, bends.end());
+    return *middle;
+}
 
-    /// Back to the input's order and units.
-    Field result(std::size_t vertex_count) const {
-        Field field;
-        const Eigen::Vector3f zero = Eigen::Vector3f::Zero();
-        field.normals = large_array(vertex_count, zero);
-        field.laplacian_normals = large_array(vertex_count, zero);
-        field.shape_operators = large_array<ShapeOperator>(vertex_count);
-        field.kernel_sizes = large_array(vertex_count, 0.f);
-        const double d = mesh_.diagonal;
-        for_each_element(mesh_.size(), [&](std::size_t i) {
-            const std::uint32_t v = mesh_.original_vertex[i];
-            field.normals[v] = normals_[i].cast<float>();
-            const auto by_d = [d](double x) { return to_float(x / d); };
-            field.laplacian_normals[v] = (laplacian_[i] / d / d).unaryExpr(&to_float);
-            const SymmetricTensor& s = shape_operators_[i];
-            field.shape_operators[v] = {by_d(s.xx), by_d(s.yy), by_d(s.zz),
-                                        by_d(s.yz), by_d(s.xz), by_d(s.xy)};
-            field.kernel_sizes[v] = float(relative_sizes_[i] * kernel_size_ * d);
-        });
-        fill_midpoints(mesh_, field);
-        copy_to_welded(field);
-        field.scale = scale_of(mesh_, options_, normal_sigma_);
-        field.report = mesh_.report;
-        field.report.roughness = roughness_;
-        field.report.kernel_bend = kernel_bend();
-        if (options_.curvature_derivatives)
-            fill_curvature_derivatives(mesh_, tree_, ranges_,
-                                       stage(laplacian_end(), 1, "Differentiating the curvature"),
-                                       field);
-        return field;
-    }
+void copy_to_welded(const std::vector<std::uint32_t>& representative, Field& field) {
+    for_each_element(representative.size(), [&](std::size_t v) {
+        const std::uint32_t r = representative[v];
+        if (r == v) return;
+        field.normals[v] = field.normals[r];
+        field.laplacian_normals[v] = field.laplacian_normals[r];
+        field.shape_operators[v] = field.shape_operators[r];
+        field.kernel_sizes[v] = field.kernel_sizes[r];
+    });
+}
 
-private:
-    /// MeshReport::kernel_bend, from a sample of vertices.
-    double kernel_bend() const {
-        if (kernel_size_ < kLeastChoice * mesh_.mean_edge) return 0;
-        const std::size_t step = mesh_.size() / kMostBendSamples + 1;
-        std::vector<double> bends;
-        for (std::size_t i = 0; i < mesh_.size(); i += step) {
-            const double curvature = std::sqrt(shape_operators_[i].squaredNorm());
-            bends.push_back(curvature * double(relative_sizes_[i]) * kernel_size_);
-        }
-        const auto middle = bends.begin() + std::ptrdiff_t(bends.size() / 2);
-        std::nth_element(bends.begin(), middle, bends.end());
-        return *middle;
-    }
-
-    void copy_to_welded(Field& field) const {
-        const std::vector<std::uint32_t>& representative = mesh_.representative;
-        for_each_element(representative.size(), [&](std::size_t v) {
-            const std::uint32_t r = representative[v];
-            if (r == v) return;
-            field.normals[v] = field.normals[r];
-            field.laplacian_normals[v] = field.laplacian_normals[r];
-            field.shape_operators[v] = field.shape_operators[r];
-            field.kernel_sizes[v] = field.kernel_sizes[r];
-        });
-    }
-
-    double laplacian_end() const {
-        return options_.curvature_derivatives ? kLaplacian - kDerivatives : kLaplacian;
-    }
-
-    StageProgress stage(double begin, double end, const char* name) const {
-        return {progress_, begin, end, name};
-    }
-
-    void compute_normals() {
-        relative_sizes_ = relative_kernel_sizes(mesh_, ranges_, options_.kernel_mode,
-                                                stage(kSorted, kSizes, "Measuring edges"));
-        normals_ = vertex_normals(mesh_, ranges_, options_.normal_weighting,
-                                  stage(kSizes, kNormals, "Computing normals"));
-        const StageProgress smoothing = stage(kNormals, kSmoothNormals, "Smoothing normals");
-        roughness_ = measure_roughness(mesh_, ranges_, tree_, relative_sizes_, normals_,
-                                       smoothing.part(0, 0.3));
-        if (smooths_by_roughness(options_)) {
-            normal_sigma_ = std::max(automatic_normal_sigma(roughness_) * mesh_.mean_edge,
-                                     least_sigma(kernel_size_, mesh_.mean_edge));
-            if (options_.drawn_kernel_size > 0)
-                normal_sigma_ = std::max(normal_sigma_, kDrawnSigma * kernel_size_);
-        }
-        smooth_normals(mesh_, tree_, relative_sizes_, normal_sigma_, options_,
-                       smoothing.part(0.3, 1), normals_);
-    }
-
-    void compute_shape_operators() {
-        const char* name = "Estimating curvature tensors";
-        const StageProgress fit = stage(kSmoothNormals, kFitted, name);
-        const bool in_balls = options_.gradient_estimator == GradientEstimator::LeastSquares;
-        shape_operators_ =
-            fit_triangles(mesh_, ranges_, normals_, in_balls ? fit.part(0, 0.2) : fit);
-        if (in_balls) fit_balls(fit.part(0.2, 1));
-        smooth_over_one_rings(mesh_, ranges_, normals_, kTensorSmoothingPasses,
-                              stage(kFitted, kTensors, name), shape_operators_);
-    }
-
-    void fit_balls(const StageProgress& stage) {
-        const double radius = options_.gradient_radius * mesh_.mean_edge;
-        refuse_endless_sum(kFitCost * pairs_cost(tree_, radius),
-                           "Merge close vertices, or choose a smaller Gradient Radius or the "
-                           "Gradient Estimator Triangle Fit.");
-        shape_operators_ = laplacian_lines::fit_balls(
-            mesh_, tree_, normals_, radius, options_.skip_opposite_sheet, shape_operators_, stage);
-    }
-
-    void compute_laplacian() {
-        const StageProgress laplacian =
-            stage(kTensors, laplacian_end(), "Computing the Laplacian of the normals");
-        laplacian.report(0);
-        if (options_.laplace_operator == LaplaceOperator::Cotangent) {
-            laplacian_ = cotangent_laplacian(mesh_, normals_);
-        } else {
-            std::vector<float> sizes = relative_sizes_;
-            for (float& size : sizes)
-                size *= float(kernel_size_);
-            laplacian_ = belkin_laplacian(
-                mesh_, tree_, normals_, sizes, shape_operators_,
-                {options_.accuracy, options_.correct_borders, options_.skip_opposite_sheet},
-                laplacian);
-        }
-        laplacian.report(1);
-    }
-
-    const PreparedMesh& mesh_;
-    const SpatialTree& tree_;
-    const VertexRanges ranges_;
-    const PrecomputeOptions& options_;
-    const Progress& progress_;
-    double kernel_size_, normal_sigma_, roughness_ = 0;
-    std::vector<float> relative_sizes_;
-    std::vector<Eigen::Vector3d> normals_, laplacian_;
-    ShapeOperators shape_operators_;
-};
+/// Back to the input's order and units, for all of its vertices.
+Field in_input_units(const PreparedMesh& mesh, const LocalField& local, std::size_t vertex_count) {
+    Field field;
+    const Eigen::Vector3f zero = Eigen::Vector3f::Zero();
+    field.normals = large_array(vertex_count, zero);
+    field.laplacian_normals = large_array(vertex_count, zero);
+    field.shape_operators = large_array<ShapeOperator>(vertex_count);
+    field.kernel_sizes = large_array(vertex_count, 0.f);
+    const double d = mesh.diagonal;
+    for_each_element(mesh.size(), [&](std::size_t i) {
+        const std::uint32_t v = mesh.original_vertex[i];
+        field.normals[v] = local.normals[i].cast<float>();
+        const auto by_d = [d](double x) { return to_float(x / d); };
+        field.laplacian_normals[v] = (local.laplacian[i] / d / d).unaryExpr(&to_float);
+        const SymmetricTensor& s = local.shape_operators[i];
+        field.shape_operators[v] = {by_d(s.xx), by_d(s.yy), by_d(s.zz),
+                                    by_d(s.yz), by_d(s.xz), by_d(s.xy)};
+        field.kernel_sizes[v] = float(local.relative_sizes[i] * local.kernel_size * d);
+    });
+    fill_midpoints(mesh, field);
+    copy_to_welded(mesh.representative, field);
+    field.scale = scale_of(mesh, local.kernel_size, local.normal_sigma);
+    field.report = mesh.report;
+    field.report.roughness = local.roughness;
+    field.report.kernel_bend = kernel_bend(mesh, local);
+    return field;
+}
 
 }  // namespace
 
 Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options,
                  const Progress& progress) {
     validate(options);
-    StageProgress(progress, 0, kPrepared, "Preparing the mesh").report(0);
+    const auto stage = [&](double begin, double end, const char* name) {
+        StageProgress of_step(progress, begin, end, name);
+        of_step.report(0);
+        return of_step;
+    };
+    // The usable part, in units of the bounding box's diagonal D; neighbours are near in memory.
+    stage(0, kPrepared, "Preparing the mesh");
     PreparedMesh prepared = prepare(mesh, options, Facing::Outwards);
-    const StageProgress sorting(progress, kPrepared, kSorted, "Sorting in space");
-    sorting.report(0);
+    stage(kPrepared, kSorted, "Sorting in space");
     const SpatialTree tree = sort_in_space(prepared);
-    sorting.report(1);
-    FieldComputation computation(prepared, tree, options, progress);
-    computation.run();
-    return computation.result(mesh.positions.size());
+    const VertexRanges ranges(prepared);
+
+    // √h, the scale at which the surface is looked at.
+    LocalField local;
+    local.kernel_size = global_kernel_size(prepared, options);
+    local.relative_sizes = relative_kernel_sizes(prepared, ranges, options.kernel_mode,
+                                                 stage(kSorted, kSizes, "Measuring edges"));
+
+    // n, the normals, from whose triangles noise is smoothed out: shading with the light at the eye
+    // is I = n·l.
+    local.normals = vertex_normals(prepared, ranges, options.normal_weighting,
+                                   stage(kSizes, kNormals, "Computing normals"));
+    const StageProgress smoothing = stage(kNormals, kSmoothNormals, "Smoothing normals");
+    local.roughness = measure_roughness(prepared, ranges, tree, local.relative_sizes, local.normals,
+                                        smoothing.part(0, 0.3));
+    local.normal_sigma = smoothing_sigma(prepared, options, local.kernel_size, local.roughness);
+    smooth_normals(prepared, tree, local.relative_sizes, local.normal_sigma, options,
+                   smoothing.part(0.3, 1), local.normals);
+
+    // S, the change of n along the surface: it gives ∇I = S l, by which a line's strength is
+    // measured, as the least squares of Eq. 3 do for one eye.
+    const char* const tensors = "Estimating curvature tensors";
+    local.shape_operators = estimate_shape_operators(prepared, tree, ranges, local.normals, options,
+                                                     stage(kSmoothNormals, kFitted, tensors));
+    smooth_over_one_rings(prepared, ranges, local.normals, kTensorSmoothingPasses,
+                          stage(kFitted, kTensors, tensors), local.shape_operators);
+
+    // Δn by Eq. 2: ΔI = l·Δn is linear in the light, so a redraw finds its zeros, the lines of
+    // Eq. 4, without another sum.
+    const double laplacian_end = options.curvature_derivatives ? 1 - kDerivatives : 1;
+    const StageProgress laplacian =
+        stage(kTensors, laplacian_end, "Computing the Laplacian of the normals");
+    local.laplacian = laplacian_of_normals(prepared, tree, local, options, laplacian);
+    laplacian.report(1);
+
+    Field field = in_input_units(prepared, local, mesh.positions.size());
+    // C = ∇S and S̄, for other kinds of lines.
+    if (options.curvature_derivatives)
+        fill_curvature_derivatives(prepared, tree,
+                                   stage(laplacian_end, 1, "Differentiating the curvature"), field);
+    return field;
 }
 
 void add_curvature_derivatives(const TriangleMesh& mesh, Field& field, const Progress& progress) {
@@ -254,13 +229,15 @@ void add_curvature_derivatives(const TriangleMesh& mesh, Field& field, const Pro
                      {field.report.undone_subdivisions},
                      field.report.turned_triangles > 0 ? Facing::Outwards : Facing::Kept);
     const SpatialTree tree = sort_in_space(prepared);
-    fill_curvature_derivatives(prepared, tree, VertexRanges(prepared), stage.part(0.4, 1), field);
+    fill_curvature_derivatives(prepared, tree, stage.part(0.4, 1), field);
 }
 
 FieldScale measure_scale(const TriangleMesh& mesh, const PrecomputeOptions& options) {
     validate(options);
     const PreparedMesh prepared = prepare(mesh, options, Facing::Kept);
-    return scale_of(prepared, options, chosen_normal_sigma(prepared, options));
+    const double kernel_size = global_kernel_size(prepared, options);
+    return scale_of(prepared, kernel_size,
+                    smoothing_sigma(prepared, options, kernel_size, std::nullopt));
 }
 
 }  // namespace laplacian_lines

@@ -106,8 +106,9 @@ double measure_roughness(const PreparedMesh& mesh, const VertexRanges& ranges,
     const CornerTable sides(mesh.triangles, mesh.size());
     // Noise leaves no flat faces; small forms of what was made seem noisy. Where all vertices are
     // on edges, as of plates, the form turns their normals as terraces would.
-    if (has_large_faces(mesh, sides)) return 0;
-    return is_made(mesh, sides) ? of_terraces : std::max(of_noise, of_terraces);
+    const FlatFaces flat = flat_faces(mesh, sides);
+    if (flat.are_large()) return 0;
+    return flat.are_made() ? of_terraces : std::max(of_noise, of_terraces);
 }
 
 double automatic_normal_sigma(double roughness) {

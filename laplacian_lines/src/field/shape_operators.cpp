@@ -1,90 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "field/shape_operators.h"
+#include "field/field_steps.h"
 
 #include <Eigen/Dense>
+#include <cmath>
 
-#include "field/triangle_tensors.h"
 #include "system/large_array.h"
-#include "system/simd_sets.h"
 
 namespace laplacian_lines {
 namespace {
 
-class TriangleFits {
-public:
-    TriangleFits(const PreparedMesh& mesh, const std::vector<Eigen::Vector3d>& normals,
-                 const VertexRanges::Range& range, ShapeOperators& sums,
-                 std::vector<double>& weights)
-        : mesh_(mesh), normals_(normals), range_(range), sums_(sums), weights_(weights) {}
+// Between a triangle's normal and a corner's: opposite ones have no shortest turn.
+constexpr double kLeastCosine = -0.999;
 
-    void add(const Triangle& t) {
-        for (int k = 0; k < 3; ++k)
-            for (int axis = 0; axis < 3; ++axis) {
-                batch_.positions[k][axis][count_] = mesh_.positions[t[k]][axis];
-                batch_.normals[k][axis][count_] = normals_[t[k]][axis];
-            }
-        triangles_[count_] = &t;
-        if (++count_ == TriangleBatch::kSize) flush();
+/// The symmetric tensor in a triangle's plane that best maps its edges to the changes of the
+/// normals along them: tt t tᵀ + tb (t bᵀ + b tᵀ) + bb b bᵀ.
+struct TriangleFit {
+    Eigen::Vector3d n, t, b;  // orthonormal
+    double tt, tb, bb, twice_area;
+
+    TriangleFit(const std::vector<Eigen::Vector3d>& p, const std::vector<Eigen::Vector3d>& normals,
+                const Triangle& v) {
+        const Eigen::Vector3d edges[3] = {p[v[2]] - p[v[1]], p[v[0]] - p[v[2]], p[v[1]] - p[v[0]]};
+        const Eigen::Vector3d area = edges[2].cross(-edges[1]);
+        twice_area = area.norm();
+        n = area / twice_area;
+        t = edges[0] / edges[0].norm();
+        b = n.cross(t);
+        double uu = 0, uv = 0, vv = 0, ru = 0, rm = 0, rv = 0;
+        for (int k = 0; k < 3; ++k) {
+            const Eigen::Vector3d change = normals[v[(k + 2) % 3]] - normals[v[(k + 1) % 3]];
+            const double along = edges[k].dot(t), beside = edges[k].dot(b);
+            const double du = change.dot(t), dv = change.dot(b);
+            uu += along * along, uv += along * beside, vv += beside * beside;
+            ru += du * along, rm += du * beside + dv * along, rv += dv * beside;
+        }
+        // Normal equations with the rows (uu, uv, 0), (uv, uu + vv, uv), (0, uv, vv), by cofactors.
+        // uu·vv − uv² is the sum of the squared products of two edges: no cancellation in slivers.
+        const double squares = 3 * twice_area * twice_area, scale = 1 / ((uu + vv) * squares);
+        tt = scale * ((vv * vv + squares) * ru - uv * vv * rm + uv * uv * rv);
+        tb = scale * (uu * vv * rm - uv * (vv * ru + uu * rv));
+        bb = scale * ((uu * uu + squares) * rv - uv * uu * rm + uv * uv * ru);
     }
+    /// Not for slivers without a solution.
+    bool is_finite() const { return std::isfinite(tt + tb + bb); }
 
-    void flush() {
-        fastest<TensorLoops>().fit(batch_, fitted_);
-        for (int lane = 0; lane < count_; ++lane)
-            for (int k = 0; k < 3; ++k) {
-                const std::uint32_t v = (*triangles_[lane])[k];
-                if (!range_.holds(v) || !fitted_.has(k, lane)) continue;
-                const auto& entries = fitted_.tensors[k];
-                SymmetricTensor& sum = sums_[v];
-                sum.xx += entries[TensorBatch::kXX][lane],
-                    sum.yy += entries[TensorBatch::kYY][lane];
-                sum.zz += entries[TensorBatch::kZZ][lane],
-                    sum.yz += entries[TensorBatch::kYZ][lane];
-                sum.xz += entries[TensorBatch::kXZ][lane],
-                    sum.xy += entries[TensorBatch::kXY][lane];
-                weights_[v] += fitted_.weights[lane];
-            }
-        count_ = 0;
+    /// Adds the tensor times the area, turned with its plane from its normal to m.
+    void add_to(SymmetricTensor& sum, const Eigen::Vector3d& m) const {
+        const Eigen::Vector3d middle = (n + m) / (1 + n.dot(m));
+        const Eigen::Vector3d turned_t = t - middle * t.dot(m), turned_b = b - middle * b.dot(m);
+        sum.add_product(turned_t, twice_area * (tt / 2 * turned_t + tb * turned_b));
+        sum.add_product(turned_b, twice_area * bb / 2 * turned_b);
     }
-
-private:
-    const PreparedMesh& mesh_;
-    const std::vector<Eigen::Vector3d>& normals_;
-    const VertexRanges::Range& range_;
-    ShapeOperators& sums_;
-    std::vector<double>& weights_;
-    TriangleBatch batch_ = {};
-    TensorBatch fitted_ = {};
-    const Triangle* triangles_[TriangleBatch::kSize] = {};
-    int count_ = 0;
 };
-
-/// Calls add(vertex, sum, count) with the summed tensors of each corner's neighbours in the
-/// triangle, without those whose normals turn by more than a right angle: these are on another
-/// side.
-template <class Add>
-void add_neighbours(const Triangle& t, const std::vector<Eigen::Vector3d>& normals,
-                    const ShapeOperators& operators, Add add) {
-    const auto sum = [](SymmetricTensor a, const SymmetricTensor& b) {
-        a.add(b, 1);
-        return a;
-    };
-    const SymmetricTensor* const tensors[3] = {&operators[t[0]], &operators[t[1]],
-                                               &operators[t[2]]};
-    const Eigen::Vector3d* const n[3] = {&normals[t[0]], &normals[t[1]], &normals[t[2]]};
-    bool joined[3];  // edge k: corners k and k + 1
-    for (int k = 0; k < 3; ++k)
-        joined[k] = n[k]->dot(*n[(k + 1) % 3]) > 0;
-    if (joined[0] && joined[1] && joined[2]) {
-        for (int k = 0; k < 3; ++k)
-            add(t[k], sum(*tensors[(k + 1) % 3], *tensors[(k + 2) % 3]), 2);
-        return;
-    }
-    for (int k = 0; k < 3; ++k) {
-        if (!joined[k]) continue;
-        add(t[k], *tensors[(k + 1) % 3], 1);
-        add(t[(k + 1) % 3], *tensors[k], 1);
-    }
-}
 
 }  // namespace
 
@@ -96,9 +63,15 @@ ShapeOperators fit_triangles(const PreparedMesh& mesh, const VertexRanges& range
     ranges.for_each(stage, [&](const VertexRanges::Range& range) {
         range.prefetch(mesh.positions);
         range.prefetch(normals);
-        TriangleFits fits(mesh, normals, range, sums, weights);
-        range.for_each_triangle([&](const Triangle& t) { fits.add(t); });
-        fits.flush();
+        range.for_each_triangle([&](const Triangle& t) {
+            const TriangleFit fit(mesh.positions, normals, t);
+            if (!fit.is_finite()) return;
+            for (const std::uint32_t v : t) {
+                if (!range.holds(v) || !(fit.n.dot(normals[v]) > kLeastCosine)) continue;
+                fit.add_to(sums[v], normals[v]);
+                weights[v] += fit.twice_area;
+            }
+        });
         for (std::uint32_t v = range.begin(); v < range.end(); ++v) {
             if (!(weights[v] > 0)) continue;
             sums[v].scale(1 / weights[v]);
@@ -148,13 +121,16 @@ void smooth_over_one_rings(const PreparedMesh& mesh, const VertexRanges& ranges,
             range.prefetch(normals);
             for (std::uint32_t v = range.begin(); v < range.end(); ++v)
                 smoothed[v] = {}, counts[v] = 0;
-            const auto add = [&](std::uint32_t to, const SymmetricTensor& sum, int count) {
-                if (!range.holds(to)) return;
-                smoothed[to].add(sum, 1);
-                counts[to] += count;
-            };
-            range.for_each_triangle(
-                [&](const Triangle& t) { add_neighbours(t, normals, operators, add); });
+            range.for_each_triangle([&](const Triangle& t) {
+                for (int k = 0; k < 3; ++k)
+                    for (const std::uint32_t other : {t[(k + 1) % 3], t[(k + 2) % 3]}) {
+                        // Where normals turn by more than a right angle, S is of another side.
+                        if (!range.holds(t[k]) || !(normals[t[k]].dot(normals[other]) > 0))
+                            continue;
+                        smoothed[t[k]].add(operators[other], 1);
+                        ++counts[t[k]];
+                    }
+            });
             for (std::uint32_t v = range.begin(); v < range.end(); ++v) {
                 SymmetricTensor mean = operators[v];
                 if (counts[v] > 0) {

@@ -96,33 +96,12 @@ static inline void sum_all(const TensorTargets& targets, const TensorSource* sou
         sum(targets, sources, count, lane, sums);
 }
 
-static inline std::size_t collect(const TensorLeaf& leaf, const float shift[3],
-                                  const float half_size[3], float squared_reach,
-                                  TensorSource* kept) {
-    alignas(64) std::int32_t keep[TensorLeaf::kSize];  // −1 for a source that is kept, else 0
-    for (std::size_t i = 0; i < leaf.count; i += kLanes) {
-        const Floats x = beyond(load(leaf.x + i) + shift[0], half_size[0]),
-                     y = beyond(load(leaf.y + i) + shift[1], half_size[1]),
-                     z = beyond(load(leaf.z + i) + shift[2], half_size[2]);
-        *reinterpret_cast<Ints*>(keep + i) = (Ints)(x * x + y * y + z * z < squared_reach);
-    }
-    const Float4 by = {shift[0], shift[1], shift[2]};
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < leaf.count; ++i) {
-        TensorSource& to = kept[count];
-        to = leaf.sources[i];
-        store4(&to.x, load4(&to.x) + by);
-        count -= std::size_t(std::ptrdiff_t(keep[i]));  // else the next overwrites it
-    }
-    return count;
-}
-
 }  // namespace SIMD_SET
 
 template <>
 const SlopeLoops& functions_of<SlopeLoops, InstructionSet::SIMD_SET>() {
     using namespace SIMD_SET;
-    static constexpr SlopeLoops functions = {collect, sum_all};
+    static constexpr SlopeLoops functions = {sum_all};
     return functions;
 }
 

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace laplacian_lines {
 
-constexpr std::size_t kSlopeLanes = 16;  ///< targets that are summed for at once
+constexpr std::uint32_t kSlopeLanes = 16;  ///< targets that are summed for at once
 
 /// A vertex with a symmetric tensor S.
 struct alignas(64) TensorSource {
@@ -13,17 +14,6 @@ struct alignas(64) TensorSource {
     float mass;
     float normal[3];
     float xx, yy, zz, yz, xz, xy;  ///< S
-};
-
-/// The sources of one leaf of a kd-tree, with places from the middle of its box.
-struct TensorLeaf {
-    static constexpr std::size_t kSize = 32;
-
-    TensorLeaf() {}  // leaves all but the count as it is
-
-    TensorSource sources[kSize];
-    alignas(64) float x[kSize], y[kSize], z[kSize];  ///< the same places
-    std::size_t count = 0;
 };
 
 /// Vertices to sum at, each with its plane of u and v, by component and lane. Unused lanes may
@@ -43,10 +33,6 @@ struct TensorSums {
 
 /// See simd_sets.h.
 struct SlopeLoops {
-    /// Copies the leaf's sources, moved by `shift`, that are nearer than √squared_reach to a box
-    /// around the origin; returns their number. `kept` has room for one more than all.
-    std::size_t (*collect)(const TensorLeaf& leaf, const float shift[3], const float half_size[3],
-                           float squared_reach, TensorSource* kept);
     /// Weights are mass · (1 − d²/R²)² · facing_weight(n_q·n_p), d the distance, R the radius.
     void (*sum)(const TensorTargets& targets, const TensorSource* sources, std::size_t count,
                 TensorSums& sums);

@@ -10,7 +10,7 @@
 
 #include "mesh/bounding_box.h"
 #include "mesh/box_tree.h"
-#include "mesh/sides_by_edge.h"
+#include "mesh/corner_table.h"
 #include "system/disjoint_sets.h"
 #include "system/equal_elements.h"
 
@@ -23,29 +23,6 @@ using Eigen::Vector3d;
 constexpr double kPrecision = 0x1p-22;
 // Of the diagonal. With coarser coordinates there is no form left, and all would be at one place.
 constexpr double kWorstPrecision = 1e-3;
-
-struct Side {
-    std::uint32_t from, to;
-    std::uint32_t third;  // corner of the triangle
-};
-
-/// Sides on which no other triangle lies, by edge.
-std::vector<Side> find_borders(const std::vector<Triangle>& triangles, std::size_t vertices) {
-    using Sides = std::vector<Side>;
-    const auto add = [&](const std::uint32_t* begin, const std::uint32_t* end, Sides& found) {
-        if (end - begin > 1) return;
-        const Triangle& t = triangles[*begin / 3];
-        const unsigned k = *begin % 3;
-        found.push_back({t[k], t[(k + 1) % 3], t[(k + 2) % 3]});
-    };
-    const auto parts = visit_edges<Sides>(
-        3 * triangles.size(), vertices,
-        [&](std::uint32_t side) { return edge_of(triangles, side); }, add);
-    Sides borders;
-    for (const Sides& part : parts)
-        borders.insert(borders.end(), part.begin(), part.end());
-    return borders;
-}
 
 /// Cuts of sides: the vertices on each, from its first end to its second.
 using Cuts = std::map<Edge, std::vector<std::uint32_t>>;
@@ -143,13 +120,24 @@ void cut_triangle(const Triangle& t, unsigned sides, const Places& places, const
     parts.push_back(t);
 }
 
+std::vector<Triangle> with_places(std::vector<Triangle> triangles,
+                                  const std::vector<std::uint32_t>& place_of) {
+    for_each_element(triangles.size(), [&](std::size_t t) {
+        for (std::uint32_t& v : triangles[t])
+            v = place_of[v];
+    });
+    return triangles;
+}
+
 /// Of triangles with the same direction along one edge: whether they are sheets that lie on each
 /// other rather than neighbours that face opposite ways.
-bool are_on_each_other(const Side& a, const Side& b, const std::vector<Vector3d>& positions) {
+bool are_on_each_other(const std::vector<Vector3d>& positions,
+                       const std::vector<Triangle>& triangles, std::uint32_t a, std::uint32_t b) {
     constexpr double kLeastCosine = 0.999;
-    const Vector3d along = positions[a.to] - positions[a.from];
-    const auto across = [&](const Side& side) {
-        const Vector3d to = positions[side.third] - positions[side.from];
+    const Vector3d along = positions[end_of(triangles, a)] - positions[begin_of(triangles, a)];
+    const auto across = [&](std::uint32_t side) {
+        const Vector3d to =
+            positions[triangles[side / 3][(side + 2) % 3]] - positions[begin_of(triangles, side)];
         return (to - to.dot(along) / along.squaredNorm() * along).stableNormalized();
     };
     return across(a).dot(across(b)) > kLeastCosine;
@@ -199,21 +187,20 @@ bool is_closed(const std::vector<Triangle>& triangles) {
 
 void make_conforming(const std::vector<Vector3d>& positions,
                      const std::vector<std::uint32_t>& place_of, std::vector<Triangle>& triangles) {
-    const Places places(place_of, triangles);
-    std::vector<Triangle> at_places = triangles;
-    for_each_element(at_places.size(), [&](std::size_t t) {
-        for (std::uint32_t& v : at_places[t])
-            v = place_of[v];
-    });
+    const std::vector<Triangle> at_places = with_places(triangles, place_of);
     if (is_closed(at_places)) return;
-    std::vector<Edge> borders;
-    for (const Side& side : find_borders(at_places, positions.size()))
-        borders.push_back(edge_between(side.from, side.to));
+    const CornerTable table(at_places, positions.size());
+    const auto borders =
+        collect<Edge>(table.side_count(), [&](std::uint32_t side, std::vector<Edge>& found) {
+            if (table.across(side) == CornerTable::kBorder)
+                found.push_back(edge_of(at_places, side));
+        });
     const Eigen::AlignedBox3d box = bounding_box(positions, triangles);
     Cuts cuts = find_cuts(positions, borders, box,
                           precision_of(positions, triangles, box.diagonal().norm()).of_coordinates);
     keep_joining_cuts(borders, cuts);
     if (cuts.empty()) return;
+    const Places places(place_of, triangles);
     std::vector<Triangle> result;
     result.reserve(triangles.size() + 2 * cuts.size());
     for (const Triangle& t : triangles)
@@ -224,26 +211,21 @@ void make_conforming(const std::vector<Vector3d>& positions,
 std::vector<std::uint32_t> stitch_cuts(const std::vector<Vector3d>& positions,
                                        const std::vector<std::uint32_t>& place_of,
                                        const std::vector<Triangle>& triangles) {
-    const std::vector<Side> borders = find_borders(triangles, positions.size());
-    const auto places_of = [&](std::uint32_t i) {
-        return edge_between(place_of[borders[i].from], place_of[borders[i].to]);
-    };
-    using Pairs = std::vector<std::pair<Side, Side>>;
-    const auto add = [&](const std::uint32_t* begin, const std::uint32_t* end, Pairs& found) {
-        if (end - begin == 2) found.emplace_back(borders[begin[0]], borders[begin[1]]);
-    };
+    const std::vector<Triangle> at_places = with_places(triangles, place_of);
+    const CornerTable table(at_places, positions.size());
     DisjointSets sets(positions.size());
     bool any = false;
-    for (const Pairs& part : visit_edges<Pairs>(borders.size(), positions.size(), places_of, add))
-        for (auto [a, b] : part) {
-            if (place_of[a.from] == place_of[b.to])
-                std::swap(b.from, b.to);
-            else if (are_on_each_other(a, b, positions))
-                continue;
-            sets.unite(a.from, b.from);
-            sets.unite(a.to, b.to);
-            any = true;
-        }
+    for (std::uint32_t a = 0; a < table.side_count(); ++a) {
+        const std::uint32_t b = table.across(a);
+        if (!table.has_neighbour(a) || b < a || edge_of(triangles, a) == edge_of(triangles, b))
+            continue;
+        const bool agree = begin_of(at_places, a) != begin_of(at_places, b);
+        if (!agree && are_on_each_other(positions, triangles, a, b)) continue;
+        const std::uint32_t from = begin_of(triangles, b), to = end_of(triangles, b);
+        sets.unite(begin_of(triangles, a), agree ? to : from);
+        sets.unite(end_of(triangles, a), agree ? from : to);
+        any = true;
+    }
     return any ? sets.take_roots() : std::vector<std::uint32_t>();
 }
 

@@ -12,70 +12,41 @@ constexpr double kFlat = 0.9999984769132877;  // least cosine: of 0.1°
 // such faces, but 0.54 if they are as flat as a lens; housings and plates have from 0.40 on.
 constexpr double kLargeFace = 0.02, kShareOfLarge = 0.33;
 
-class FlatTriangles {
-public:
-    FlatTriangles(const PreparedMesh& mesh, const CornerTable& sides)
-        : table_(sides), normals_(mesh.triangles.size()), areas_(mesh.triangles.size()) {
-        for_each_element(areas_.size(), [&](std::size_t i) {
-            const Eigen::Vector3d area = area_vector(mesh, mesh.triangles[i]);
-            areas_[i] = area.norm();
-            normals_[i] = area.stableNormalized();
-        });
-    }
-
-    /// Those for which is_counted(triangle), as a share of all.
-    template <class IsCounted>
-    double area_share(IsCounted is_counted) const {
-        return sum_of(areas_.size(),
-                      [&](std::size_t i) { return is_counted(std::uint32_t(i)) ? areas_[i] : 0; }) /
-               all();
-    }
-
-    double all() const {
-        return sum_of(areas_.size(), [&](std::size_t i) { return areas_[i]; });
-    }
-    double area(std::uint32_t triangle) const { return areas_[triangle]; }
-
-    /// Until test(neighbour) is true of a neighbour in the triangle's plane.
-    template <class Test>
-    bool any_beside(std::uint32_t triangle, Test test) const {
-        for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side) {
-            if (!table_.has_neighbour(side)) continue;
-            const std::uint32_t other = table_.across(side) / 3;
-            if (normals_[other].dot(normals_[triangle]) >= kFlat && test(other)) return true;
-        }
-        return false;
-    }
-
-private:
-    const CornerTable& table_;
-    std::vector<Eigen::Vector3d> normals_;
-    std::vector<double> areas_;
-};
-
 }  // namespace
 
-double flat_share(const PreparedMesh& mesh, const CornerTable& sides) {
-    const FlatTriangles flat(mesh, sides);
-    return flat.area_share(
-        [&](std::uint32_t i) { return flat.any_beside(i, [](std::uint32_t) { return true; }); });
+bool FlatFaces::are_large() const {
+    return large_share > kShareOfLarge;
 }
 
-bool has_large_faces(const PreparedMesh& mesh, const CornerTable& sides) {
-    const FlatTriangles flat(mesh, sides);
-    DisjointSets faces(mesh.triangles.size());
-    for (std::uint32_t i = 0; i < faces.size(); ++i)
-        flat.any_beside(i, [&](std::uint32_t other) {
-            faces.unite(i, other);
-            return false;
-        });
+FlatFaces flat_faces(const PreparedMesh& mesh, const CornerTable& sides) {
+    const std::size_t count = mesh.triangles.size();
+    std::vector<Eigen::Vector3d> normals(count);
+    std::vector<double> areas(count);
+    for_each_element(count, [&](std::size_t t) {
+        const Eigen::Vector3d area = area_vector(mesh, mesh.triangles[t]);
+        areas[t] = area.norm();
+        normals[t] = area.stableNormalized();
+    });
+    DisjointSets faces(count);
+    for (std::uint32_t side = 0; side < sides.side_count(); ++side) {
+        const std::uint32_t t = side / 3, other = sides.across(side) / 3;
+        if (sides.has_neighbour(side) && t < other && normals[other].dot(normals[t]) >= kFlat)
+            faces.unite(t, other);
+    }
     const std::vector<std::uint32_t> face_of = faces.take_roots();
-    std::vector<double> areas(face_of.size(), 0);
-    for (std::uint32_t i = 0; i < face_of.size(); ++i)
-        areas[face_of[i]] += flat.area(i);
-    const double least = kLargeFace * flat.all();
-    return flat.area_share([&](std::uint32_t i) { return areas[face_of[i]] >= least; }) >
-           kShareOfLarge;
+    std::vector<double> face_areas(count, 0);
+    std::vector<std::uint8_t> has_several(count, 0);
+    for (std::uint32_t t = 0; t < count; ++t) {
+        face_areas[face_of[t]] += areas[t];
+        if (face_of[t] != t) has_several[face_of[t]] = 1;
+    }
+    const double all = sum_of(count, [&](std::size_t t) { return areas[t]; });
+    const auto share_of = [&](auto is_counted) {
+        return sum_of(count, [&](std::size_t t) { return is_counted(face_of[t]) ? areas[t] : 0; }) /
+               all;
+    };
+    return {share_of([&](std::uint32_t face) { return has_several[face]; }),
+            share_of([&](std::uint32_t face) { return face_areas[face] >= kLargeFace * all; })};
 }
 
 }  // namespace laplacian_lines

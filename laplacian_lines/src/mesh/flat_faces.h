@@ -11,17 +11,20 @@ namespace laplacian_lines {
 /// machined parts and lofts 0.29 and more.
 constexpr double kMadeShare = 0.27;
 
-/// Of the area, in faces of several triangles. The number of threads does not matter.
-double flat_share(const PreparedMesh& mesh, const CornerTable& sides);
+/// Flat faces of several triangles.
+struct FlatFaces {
+    double share = 0;        ///< of the area
+    double large_share = 0;  ///< of the area, in faces that are large against it
 
-/// Whether a mesh was made, not measured, so that angles between triangles are those of the form,
-/// however small.
-inline bool is_made(const PreparedMesh& mesh, const CornerTable& sides) {
-    return flat_share(mesh, sides) > kMadeShare;
-}
+    /// Whether a mesh was made, not measured, so that angles between triangles are those of the
+    /// form, however small.
+    bool are_made() const { return share > kMadeShare; }
+    /// Whether a third of the area and more is in large ones: plates, housings; not terraces of
+    /// voxels.
+    bool are_large() const;
+};
 
-/// Whether a third of a mesh's area and more is in flat faces that are large against it: plates,
-/// housings; not terraces of voxels.
-bool has_large_faces(const PreparedMesh& mesh, const CornerTable& sides);
+/// The number of threads does not matter.
+FlatFaces flat_faces(const PreparedMesh& mesh, const CornerTable& sides);
 
 }  // namespace laplacian_lines

@@ -57,80 +57,48 @@ struct Body {
     }
 };
 
-/// Which bodies lie in which: along a ray from a triangle of each, by how often it meets the
+/// Which closed bodies lie in which: along a ray from a triangle of each, by how often it meets the
 /// others.
 class Nesting {
 public:
     Nesting(const PreparedMesh& mesh, const std::vector<std::uint32_t>& body_of,
             std::vector<Body>& bodies)
-        : mesh_(mesh), body_of_(body_of), bodies_(bodies), may_hold_(bodies.size()) {}
+        : mesh_(mesh), body_of_(body_of), bodies_(bodies) {}
 
     void find() {
-        const std::vector<Ray> rays = find_rays();
-        if (rays.empty()) return;
+        using Box = BoxTree<3>::Box;
         const auto triangles =
             BoxTree<3>::along_curve(mesh_.triangles.size(), local_box(), [&](std::uint32_t t) {
                 Box box;
-                if (!may_hold_[body_of_[t]]) return box;
+                if (!bodies_[body_of_[t]].is_closed) return box;
                 for (const std::uint32_t v : mesh_.triangles[t])
                     box.extend(mesh_.positions[v].cast<float>().eval());
                 return box;
             });
-        in_parallel(rays.size(), [&](std::size_t i) {
-            const Ray& ray = rays[i];
+        std::vector<std::uint32_t> first(bodies_.size());
+        for (std::size_t t = mesh_.triangles.size(); t-- > 0;)
+            first[body_of_[t]] = std::uint32_t(t);
+        in_parallel(bodies_.size(), [&](std::size_t b) {
+            Body& body = bodies_[b];
+            if (!body.is_closed) return;
+            const Triangle& t = mesh_.triangles[first[b]];
+            const auto& p = mesh_.positions;
+            const Vector3d from = (p[t[0]] + p[t[1]] + p[t[2]]) / 3;
+            Box ray(from.cast<float>().eval());  // along x, beyond all
+            ray.max().x() = 2;
             std::map<std::uint32_t, int> crossings;
-            triangles.visit(ray.box, [&](std::uint32_t t) {
-                if (may_be_in(ray.body, body_of_[t]) && is_pierced(t, ray.from))
-                    ++crossings[body_of_[t]];
+            triangles.visit(ray, [&](std::uint32_t other) {
+                const std::uint32_t outer = body_of_[other];
+                if (outer != b && bodies_[outer].box.contains(body.box) && is_pierced(other, from))
+                    ++crossings[outer];
                 return true;
             });
-            for (const auto& [body, count] : crossings)
-                if (count % 2 == 1) bodies_[ray.body].around.push_back(body);
+            for (const auto& [outer, count] : crossings)
+                if (count % 2 == 1) body.around.push_back(outer);
         });
     }
 
 private:
-    using Box = BoxTree<3>::Box;
-
-    struct Ray {  // along x
-        Vector3d from;
-        std::uint32_t body;
-        Box box;  // up to the end of what the body may be in
-    };
-
-    bool may_be_in(std::uint32_t body, std::uint32_t other) const {
-        return body != other && bodies_[other].is_closed &&
-               bodies_[other].box.contains(bodies_[body].box);
-    }
-
-    /// Of the bodies that may be in others.
-    std::vector<Ray> find_rays() {
-        const auto boxes =
-            BoxTree<3>::along_curve(bodies_.size(), local_box(), [&](std::uint32_t b) {
-                return bodies_[b].is_closed ? Box(bodies_[b].box.cast<float>()) : Box();
-            });
-        std::vector<std::uint32_t> first(bodies_.size(), kNone);
-        for (std::size_t t = mesh_.triangles.size(); t-- > 0;)
-            first[body_of_[t]] = std::uint32_t(t);
-        std::vector<Ray> rays;
-        for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
-            if (!bodies_[b].is_closed) continue;
-            const Triangle& t = mesh_.triangles[first[b]];
-            const auto& p = mesh_.positions;
-            Ray ray{(p[t[0]] + p[t[1]] + p[t[2]]) / 3, b, {}};
-            const Box at(ray.from.cast<float>().eval());
-            boxes.visit(at, [&](std::uint32_t other) {
-                if (!may_be_in(b, other)) return true;
-                may_hold_[other] = true;
-                ray.box.extend(at).extend(Eigen::Vector3f(float(bodies_[other].box.max().x()),
-                                                          at.min().y(), at.min().z()));
-                return true;
-            });
-            if (!ray.box.isEmpty()) rays.push_back(ray);
-        }
-        return rays;
-    }
-
     /// The same for both triangles of a side, so that a ray that meets it passes one of them.
     bool is_pierced(std::uint32_t triangle, const Vector3d& from) const {
         const Triangle& t = mesh_.triangles[triangle];
@@ -153,7 +121,6 @@ private:
     const PreparedMesh& mesh_;
     const std::vector<std::uint32_t>& body_of_;
     std::vector<Body>& bodies_;
-    std::vector<bool> may_hold_;  // others, by body
 };
 
 /// From the outside inwards: what lies in solid matter, a cavity or another body, turns with it.
@@ -186,8 +153,9 @@ public:
         measure_bodies();
         for (Body& body : bodies_)
             body.decide();
-        if (std::any_of(bodies_.begin(), bodies_.end(),
-                        [](const Body& body) { return body.is_closed && body.is_turned; })) {
+        if (bodies_.size() > 1 && std::any_of(bodies_.begin(), bodies_.end(), [](const Body& body) {
+                return body.is_closed && body.is_turned;
+            })) {
             Nesting(mesh_, body_of_, bodies_).find();
             turn_together(bodies_);
         }

@@ -59,19 +59,13 @@ bool is_degenerate(const Positions& positions, const Triangle& t) {
 }
 
 void check_indices(const TriangleMesh& mesh) {
-    const auto is_wrong = [&](const Triangle& t) {
-        return std::max({t[0], t[1], t[2]}) >= mesh.positions.size();
-    };
-    const double wrong = sum_of(mesh.triangles.size(), [&](std::size_t t) {
-        return is_wrong(mesh.triangles[t]) ? 1. : 0.;
-    });
-    if (wrong == 0) return;
-    const Triangle& t = *std::find_if(mesh.triangles.begin(), mesh.triangles.end(), is_wrong);
-    const std::uint32_t v = *std::find_if(
-        t.begin(), t.end(), [&](std::uint32_t v) { return v >= mesh.positions.size(); });
-    throw Error(ErrorCode::InvalidMesh, "A triangle uses vertex " + std::to_string(v) +
-                                            ", but the mesh has " +
-                                            std::to_string(mesh.positions.size()) + " vertices.");
+    const std::size_t count = mesh.positions.size();
+    for (const Triangle& t : mesh.triangles)
+        for (const std::uint32_t v : t)
+            if (v >= count)
+                throw Error(ErrorCode::InvalidMesh,
+                            "A triangle uses vertex " + std::to_string(v) + ", but the mesh has " +
+                                std::to_string(count) + " vertices.");
 }
 
 std::vector<Triangle> usable_triangles(const Positions& positions,
@@ -227,8 +221,9 @@ double coarse_step(const TriangleMesh& mesh, const PreparedMesh& prepared) {
     };
     const std::vector<Triangle>& triangles = prepared.triangles;
     const bool is_grid = std::all_of(triangles.begin(), triangles.end(), is_in_cell);
+    if (is_grid) return 0;
     const CornerTable sides(triangles, prepared.size());
-    return is_grid || has_large_faces(prepared, sides) ? 0 : step;
+    return flat_faces(prepared, sides).are_large() ? 0 : step;
 }
 
 }  // namespace

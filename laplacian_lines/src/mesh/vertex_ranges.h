@@ -14,6 +14,10 @@ namespace laplacian_lines {
 /// vertices can run range by range without a table of triangles by vertex. A triangle may be in
 /// several ranges.
 class VertexRanges {
+    struct Shared {
+        std::uint32_t range, triangle;
+    };
+
 public:
     /// `mesh` is sorted in space and outlives this.
     explicit VertexRanges(const PreparedMesh& mesh);
@@ -36,36 +40,36 @@ public:
         /// Calls visit(triangle) in the order of the mesh.
         template <class Visit>
         void for_each_triangle(Visit visit) const {
-            for (const std::uint32_t* t = shared_begin_; t < shared_end_; ++t)
-                visit(mesh_->triangles[*t]);
-            for (std::uint32_t t = first_; t < last_; ++t)
-                visit(mesh_->triangles[t]);
+            for (const Shared* s = shared_; s < shared_end_; ++s)
+                visit(mesh_->triangles[s->triangle]);
+            for (const Triangle* t = own_; t < own_end_; ++t)
+                visit(*t);
         }
 
     private:
         friend class VertexRanges;
         const PreparedMesh* mesh_;
         std::uint32_t begin_, end_;
-        std::uint32_t first_, last_;  // triangles whose smallest vertex is in the range
-        const std::uint32_t *shared_begin_, *shared_end_;  // others at its vertices, all before
+        const Triangle *own_, *own_end_;      // whose smallest vertex is in the range
+        const Shared *shared_, *shared_end_;  // others at its vertices, all before
     };
 
     /// Calls body(range) on several threads; it may write only to its range's vertices.
     template <class Body>
     void for_each(const StageProgress& stage, Body body) const {
+        const std::size_t count = (mesh_.size() + kSize - 1) / kSize;
         parallel_for<NoScratch>(
-            count(), stage, [&](std::size_t r, NoScratch&) { body(range(r)); }, 1);
+            count, stage, [&](std::size_t r, NoScratch&) { body(range(std::uint32_t(r))); }, 1);
     }
 
 private:
-    std::size_t count() const { return shared_starts_.size() - 1; }
-    Range range(std::size_t r) const;
-    void collect_shared();
+    // Large enough that few triangles lie in two ranges, small enough for many threads.
+    static constexpr std::uint32_t kSize = 2048;
+
+    Range range(std::uint32_t r) const;
 
     const PreparedMesh& mesh_;
-    std::vector<std::uint32_t> first_triangles_;  // [count + 1]
-    std::vector<std::uint32_t> shared_starts_;    // [count + 1], into shared_
-    std::vector<std::uint32_t> shared_;
+    std::vector<Shared> shared_;  // by range
 };
 
 }  // namespace laplacian_lines

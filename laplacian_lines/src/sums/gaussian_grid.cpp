@@ -175,13 +175,19 @@ std::vector<float> kernel_taps(double size, const GridResolution& resolution, in
 
 // ---- sums ----
 
-constexpr std::uint32_t kChunk = 512;  // points that are worked on at once
+void clear(GridNode* nodes, int count) {
+    for (int node = 0; node < count; ++node)
+        std::fill(std::begin(nodes[node].moments), std::end(nodes[node].moments), 0.f);
+}
 
-struct Chunk {
-    std::uint32_t site;
-    const std::uint32_t *begin, *end;
-    RowMask rows[8];  // by part of the box, see clear_rows(): those it spreads to
-};
+/// Calls visit(node of the box, node of the block) for the first of four nodes along x of the part
+/// of a box that lies in a block, see GridGeometry::step_to().
+template <class Visit>
+void for_each_row(int part, Visit visit) {
+    const int first = (((part >> 2) * kBox + (part >> 1 & 1)) * kBox + (part & 1)) * kBlock;
+    for (int row = 0; row < kBlock * kBlock; ++row)
+        visit(first + (row / kBlock * kBox + row % kBlock) * kBox, row * kBlock);
+}
 
 /// See docs/algorithms.md.
 class GridSum {
@@ -196,42 +202,39 @@ public:
           grid_(mesh.positions, resolution.cell * size_),
           points_(grid_, mesh.positions),
           reach_((tap_count(size_ / grid_.cell, resolution) + kBlock - 1) / kBlock),
-          convolution_(grid_, points_.target_nodes(), reach_,
+          convolution_(grid_, points_.reached(), reach_,
                        kernel_taps(size_ / grid_.cell, resolution, reach_)) {}
 
     void run(const StageProgress& stage) {
         const int slabs = grid_.blocks[2];
+        make_room(0);
         for (int slab = 0; slab <= slabs + reach_; ++slab) {
             stage.report(double(slab) / (slabs + reach_ + 1));
             if (slab < slabs) {
+                make_room(slab + 1);
                 spread_points(slab);
-                merge_boxes(slab);
             }
-            convolution_.add_slab(slab, masses_);
+            convolution_.add_slab(slab, masses_[slab % 2]);
             if (slab >= reach_ && slab - reach_ < slabs) convolution_.finish_slab(slab - reach_);
             if (slab > reach_) interpolate_points(slab - reach_ - 1);
         }
     }
 
 private:
-    /// What the points of a slab's blocks spread, chunk by chunk.
-    struct SpreadSlab {
-        std::vector<Chunk> chunks;
-        std::vector<std::uint32_t> first_chunk;  // [sites + 1]
-        std::vector<GridNode> boxes;             // kBoxNodes a chunk
-    };
+    using Nodes = std::vector<GridNode>;
 
     std::size_t block(int slab, std::size_t site) const {
         return std::size_t(slab) * grid_.sites() + site;
     }
 
-    void list_chunks(int slab, std::vector<Chunk>& chunks) const {
-        chunks.clear();
-        for (std::size_t c = 0; c < grid_.sites(); ++c) {
-            const std::uint32_t* end = points_.end(block(slab, c));
-            for (const std::uint32_t* p = points_.begin(block(slab, c)); p < end; p += kChunk)
-                chunks.push_back({std::uint32_t(c), p, std::min(p + kChunk, end), {}});
-        }
+    /// For masses of a slab, which its points and those of the one before spread.
+    void make_room(int slab) {
+        BlockSlab& masses = masses_[slab % 2];
+        masses.allocate(grid_.sites(), [&](std::size_t site) {
+            return slab < grid_.blocks[2] && points_.reached()[block(slab, site)];
+        });
+        in_parallel(masses.sites().size(),
+                    [&](std::size_t i) { clear(masses.block(masses.sites()[i]), kBlockNodes); });
     }
 
     /// The place in the point's cell, and the first node it reaches in the box of its block.
@@ -247,84 +250,65 @@ private:
         return node;
     }
 
+    /// Boxes of blocks that are two apart do not overlap: every other one along x and y at once.
     void spread_points(int slab) {
-        SpreadSlab& s = spread_[slab % 2];
-        list_chunks(slab, s.chunks);
-        s.first_chunk.assign(grid_.sites() + 1, 0);
-        for (const Chunk& chunk : s.chunks)
-            ++s.first_chunk[chunk.site + 1];
-        for (std::size_t c = 1; c < s.first_chunk.size(); ++c)
-            s.first_chunk[c] += s.first_chunk[c - 1];
-        grow(s.boxes, s.chunks.size() * kBoxNodes);
-        in_parallel(s.chunks.size(), [&](std::size_t i) {
-            Chunk& chunk = s.chunks[i];
-            spread_chunk(chunk, points_.first_nodes(block(slab, chunk.site)),
-                         s.boxes.data() + i * kBoxNodes);
-        });
+        const auto row = std::size_t(grid_.blocks[0] + 1) / 2,
+                   rows = std::size_t(grid_.blocks[1] + 1) / 2;
+        for (std::size_t turn = 0; turn < 4; ++turn)
+            in_parallel<Nodes>(row * rows, [&](std::size_t i, Nodes& nodes) {
+                const std::size_t x = 2 * (i % row) + turn % 2, y = 2 * (i / row) + turn / 2;
+                if (x < std::size_t(grid_.blocks[0]) && y < std::size_t(grid_.blocks[1]))
+                    spread_block(slab, y * std::size_t(grid_.blocks[0]) + x, nodes);
+            });
     }
 
-    void spread_chunk(Chunk& chunk, BlockMask first_nodes, GridNode* box) const {
-        BlockMask nodes[8] = {};
-        kSpreadNodes.visit_all(first_nodes, [&](int part, BlockMask mask) { nodes[part] |= mask; });
-        for (int part = 0; part < 8; ++part) {
-            chunk.rows[part] = rows_of(nodes[part], 0);
-            loops_.clear_rows(part, chunk.rows[part], box);
-        }
+    void spread_block(int slab, std::size_t site, Nodes& nodes) {
+        const auto begin = points_.begin(block(slab, site)), end = points_.end(block(slab, site));
+        if (begin == end) return;
+        GridNode* const box = grow(nodes, kBoxNodes);
+        clear(box, kBoxNodes);
         // The cubic splines' first node is the second one.
         GridNode* const second = box + (kBox + 1) * kBox + 1;
-        for (const std::uint32_t* p = chunk.begin; p < chunk.end; ++p) {
+        for (auto p = begin; p < end; ++p) {
             CellPlace place;
             GridNode value;
             set_moments(mesh_.masses[*p], normals_[*p], value);
             const std::size_t corner = locate(*p, place);
             loops_.spread(value, place, second + corner);
         }
+        for (int part = 0; part < 8; ++part)
+            add_part(part, box,
+                     masses_[(slab + (part >> 2)) % 2].block(site + grid_.step_to(part & 3)));
     }
 
-    /// Adds up the boxes that overlap each block of a slab, always in the same order.
-    void merge_boxes(int slab) {
-        const auto& masks = points_.source_nodes();
-        masses_.masks().assign(masks.begin() + std::ptrdiff_t(block(slab, 0)),
-                               masks.begin() + std::ptrdiff_t(block(slab + 1, 0)));
-        masses_.allocate();
-        const std::size_t row = std::size_t(grid_.blocks[0]);
-        in_parallel(masses_.sites().size(), [&](std::size_t i) {
-            const std::size_t site = masses_.sites()[i];
-            GridNode* nodes = masses_.block(site);
-            for (int node = 0; node < kBlockNodes; ++node)
-                std::fill(std::begin(nodes[node].moments), std::end(nodes[node].moments), 0.f);
-            for (int part = 0; part < 8; ++part) {
-                const std::size_t step = std::size_t(part & 1) + row * std::size_t(part >> 1 & 1);
-                if (step > site || slab < part >> 2) continue;
-                const SpreadSlab& s = spread_[(slab - (part >> 2)) % 2];
-                for (std::uint32_t c = s.first_chunk[site - step];
-                     c < s.first_chunk[site - step + 1]; ++c)
-                    loops_.add_rows(part, s.chunks[c].rows[part], s.boxes.data() + c * kBoxNodes,
-                                    nodes);
-            }
+    static void add_part(int part, const GridNode* box, GridNode* nodes) {
+        for_each_row(part, [&](int in_box, int in_block) {
+            for (int k = 0; k < kBlock; ++k)
+                for (int i = 0; i < 2 * kMoments; ++i)
+                    nodes[in_block + k].moments[i] += box[in_box + k].moments[i];
         });
     }
 
     void fill_box(int slab, std::size_t site, GridNode* box) const {
         for (int part = 0; part < 8; ++part) {
-            const std::size_t other = site + std::size_t(part & 1) +
-                                      std::size_t(grid_.blocks[0]) * std::size_t(part >> 1 & 1);
-            if (other >= grid_.sites()) continue;
-            const BlockSlab& z = convolution_.result(slab + (part >> 2));
-            loops_.copy_rows(part, rows_of(z.mask(other), 0), z.block(other), box);
+            const GridNode* nodes =
+                convolution_.result(slab + (part >> 2)).block(site + grid_.step_to(part & 3));
+            for_each_row(part, [&](int in_box, int in_block) {
+                std::copy_n(nodes + in_block, kBlock, box + in_box);
+            });
         }
     }
 
     void interpolate_points(int slab) {
-        list_chunks(slab, chunks_);
-        in_parallel<std::vector<GridNode>>(
-            chunks_.size(), [&](std::size_t i, std::vector<GridNode>& nodes) {
-                const Chunk& chunk = chunks_[i];
-                GridNode* box = grow(nodes, kBoxNodes);
-                fill_box(slab, chunk.site, box);
-                for (const std::uint32_t* p = chunk.begin; p < chunk.end; ++p)
-                    write(*p, box);
-            });
+        in_parallel<Nodes>(grid_.sites(), [&](std::size_t site, Nodes& nodes) {
+            const auto begin = points_.begin(block(slab, site)),
+                       end = points_.end(block(slab, site));
+            if (begin == end) return;
+            GridNode* const box = grow(nodes, kBoxNodes);
+            fill_box(slab, site, box);
+            for (auto p = begin; p < end; ++p)
+                write(*p, box);
+        });
     }
 
     void write(std::uint32_t p, const GridNode* box) const {
@@ -350,9 +334,7 @@ private:
     const GridLoops& loops_ = fastest<GridLoops>();
     const int reach_;  // of the convolution, in blocks
     GridConvolution convolution_;
-    SpreadSlab spread_[2];
-    BlockSlab masses_;
-    std::vector<Chunk> chunks_;
+    BlockSlab masses_[2];  // of slab l at l % 2
 };
 
 }  // namespace

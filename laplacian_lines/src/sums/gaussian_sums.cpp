@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sums/leaf_sources.h"
 #include "sums/simd_gaussian_sums.h"
 #include "system/simd_sets.h"
 
@@ -13,45 +14,18 @@ namespace {
 
 constexpr double kLog2E = 1.4426950408889634;
 
-static_assert(SourceLeaf::kSize == SpatialTree::kLeafSize);
-
-/// Without the mass.
-GaussianSource source(const Eigen::Vector3d& position, const Eigen::Vector3d& normal) {
-    const Eigen::Vector3f p = position.cast<float>(), n = normal.cast<float>();
-    return {p.x(), p.y(), p.z(), 0, n.x(), n.y(), n.z(), 0};
-}
-
 /// Positive, even if the areas are 0 as floats.
 float mean_mass(const PreparedMesh& mesh) {
     const double sum = sum_of(mesh.size(), [&](std::size_t v) { return mesh.masses[v]; });
     return std::max(float(sum / double(mesh.size())), std::numeric_limits<float>::min());
 }
 
-/// By leaves of the tree.
-std::vector<SourceLeaf> pack_sources(const PreparedMesh& mesh, const SpatialTree& tree,
-                                     const std::vector<Eigen::Vector3d>& normals, float unit_mass) {
-    std::vector<SourceLeaf> packed = large_array<SourceLeaf>(tree.leaves().size());
-    in_parallel(packed.size(), [&](std::size_t i) {
-        const SpatialTree::Leaf& leaf = tree.leaves()[i];
-        SourceLeaf& to = packed[i];
-        for (std::uint32_t v = leaf.begin; v < leaf.end; ++v) {
-            const std::size_t k = v - leaf.begin;
-            to.sources[k] = source(mesh.positions[v] - leaf.box.center(), normals[v]);
-            to.sources[k].mass = float(mesh.masses[v]) / unit_mass;
-            to.x[k] = to.sources[k].x, to.y[k] = to.sources[k].y, to.z[k] = to.sources[k].z;
-        }
-    });
-    return packed;
-}
-
 /// One leaf, whose points are the targets.
 class LeafSum {
 public:
-    LeafSum(const PreparedMesh& mesh, const SpatialTree& tree,
-            const std::vector<Eigen::Vector3d>& normals, const GaussianKernel& kernel,
-            float unit_mass, const SpatialTree::Leaf& leaf)
+    LeafSum(const PreparedMesh& mesh, const std::vector<Eigen::Vector3d>& normals,
+            const GaussianKernel& kernel, float unit_mass, const SpatialTree::Leaf& leaf)
         : mesh_(mesh),
-          tree_(tree),
           normals_(normals),
           kernel_(kernel),
           unit_mass_(unit_mass),
@@ -76,17 +50,15 @@ public:
         write(lanes, begin, sums);
     }
 
-    std::size_t collect_sources(const std::vector<SourceLeaf>& packed,
-                                std::vector<GaussianSource>& sources) const {
-        std::size_t count = 0;
-        const Eigen::Array3f half_size = (leaf_.box.sizes() / 2).cast<float>();
-        tree_.visit_leaves(leaf_.box, radius_, [&](const SpatialTree::Leaf& other) {
-            const std::size_t others = other.end - other.begin;
-            if (sources.size() < count + others) sources.resize(2 * (count + others));
-            count += loops_.collect(packed[std::size_t(&other - tree_.leaves().data())], others,
-                                    source(other.box.center() - centre_, -mean_normal_),
-                                    half_size.data(), float(radius_ * radius_), &sources[count]);
-        });
+    std::size_t collect(const LeafSources<GaussianSource>& all,
+                        std::vector<GaussianSource>& sources) const {
+        const std::size_t count = all.collect(leaf_, radius_, sources);
+        const Eigen::Vector3f mean = mean_normal_.cast<float>();
+        for (std::size_t i = 0; i < count; ++i) {
+            GaussianSource& s = sources[i];
+            s.nx -= mean.x(), s.ny -= mean.y(), s.nz -= mean.z();
+            s.squared = s.x * s.x + s.y * s.y + s.z * s.z;
+        }
         return count;
     }
 
@@ -122,7 +94,6 @@ private:
     }
 
     const PreparedMesh& mesh_;
-    const SpatialTree& tree_;
     const std::vector<Eigen::Vector3d>& normals_;
     const GaussianKernel& kernel_;
     const float unit_mass_;
@@ -140,12 +111,15 @@ GaussianSums gaussian_sums(const PreparedMesh& mesh, const SpatialTree& tree,
                            const GaussianKernel& kernel, const StageProgress& stage) {
     GaussianSums sums(mesh.size());
     const float unit_mass = mean_mass(mesh);
-    const std::vector<SourceLeaf> packed = pack_sources(mesh, tree, normals, unit_mass);
+    const LeafSources<GaussianSource> all(mesh, tree, [&](std::uint32_t v) -> GaussianSource {
+        const Eigen::Vector3f n = normals[v].cast<float>();
+        return {0, 0, 0, float(mesh.masses[v]) / unit_mass, n.x(), n.y(), n.z(), 0};
+    });
     using Sources = std::vector<GaussianSource>;
-    parallel_for<Sources>(packed.size(), stage, [&](std::size_t i, Sources& sources) {
+    parallel_for<Sources>(tree.leaves().size(), stage, [&](std::size_t i, Sources& sources) {
         const SpatialTree::Leaf& leaf = tree.leaves()[i];
-        const LeafSum leaf_sum(mesh, tree, normals, kernel, unit_mass, leaf);
-        const std::size_t count = leaf_sum.collect_sources(packed, sources);
+        const LeafSum leaf_sum(mesh, normals, kernel, unit_mass, leaf);
+        const std::size_t count = leaf_sum.collect(all, sources);
         for (std::uint32_t begin = leaf.begin; begin < leaf.end; begin += kTargets)
             leaf_sum.sum(begin, sources, count, sums);
     });

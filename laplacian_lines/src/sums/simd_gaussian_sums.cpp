@@ -41,33 +41,6 @@ static inline Floats quick_exp2(Floats x) {
     return (Floats)((Ints)y + (fixed & ~0x7fffff));
 }
 
-static inline std::size_t collect(const SourceLeaf& leaf, std::size_t count,
-                                  const GaussianSource& shift, const float half_size[3],
-                                  float squared_distance, GaussianSource* kept) {
-    // −1 for a source that is kept, else 0.
-    alignas(64) std::int32_t keep[SourceLeaf::kSize];
-    alignas(64) float squared[SourceLeaf::kSize];
-    for (std::size_t i = 0; i < SourceLeaf::kSize; i += kLanes) {
-        const Floats x = load(leaf.x + i) + shift.x, y = load(leaf.y + i) + shift.y,
-                     z = load(leaf.z + i) + shift.z;
-        const Floats dx = beyond(x, half_size[0]), dy = beyond(y, half_size[1]),
-                     dz = beyond(z, half_size[2]);
-        *reinterpret_cast<Ints*>(keep + i) =
-            (Ints)(dx * dx + dy * dy + dz * dz <= squared_distance);
-        store(squared + i, x * x + y * y + z * z);
-    }
-    typedef float Source __attribute__((vector_size(sizeof(GaussianSource))));
-    const Source by = *reinterpret_cast<const Source*>(&shift);
-    std::size_t kept_count = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        *reinterpret_cast<Source*>(&kept[kept_count]) =
-            *reinterpret_cast<const Source*>(&leaf.sources[i]) + by;
-        kept[kept_count].squared = squared[i];
-        kept_count -= std::size_t(std::ptrdiff_t(keep[i]));  // else the next overwrites it
-    }
-    return kept_count;
-}
-
 static inline void sum(const GaussianTargets& t, const GaussianSource* sources,
                        std::size_t source_count, std::size_t lane, GaussianLaneSums& sums) {
     const Floats x = load(t.x + lane), y = load(t.y + lane), z = load(t.z + lane);
@@ -176,7 +149,7 @@ static void sum_all_quickly(const GaussianTargets& t, const GaussianSource* sour
 template <>
 const GaussianLoops& functions_of<GaussianLoops, InstructionSet::SIMD_SET>() {
     using namespace SIMD_SET;
-    static constexpr GaussianLoops functions = {collect, sum_all, sum_all_quickly};
+    static constexpr GaussianLoops functions = {sum_all, sum_all_quickly};
     return functions;
 }
 

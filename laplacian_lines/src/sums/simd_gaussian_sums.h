@@ -15,13 +15,6 @@ struct alignas(32) GaussianSource {
     float squared;  ///< x² + y² + z², of collected sources only
 };
 
-/// Positions are relative to the leaf's centre, normals as they are.
-struct SourceLeaf {
-    static constexpr std::size_t kSize = 32;
-    alignas(64) float x[kSize], y[kSize], z[kSize];  ///< again, for the choice of sources
-    GaussianSource sources[kSize];
-};
-
 /// Unused lanes may repeat others.
 struct GaussianTargets {
     alignas(64) float x[kTargets], y[kTargets], z[kTargets];
@@ -43,10 +36,6 @@ struct GaussianLaneSums {
 
 /// See simd_sets.h.
 struct GaussianLoops {
-    /// Copies those of the leaf's first `count` sources that, with `shift` added, lie within the
-    /// given distance of a box around the origin; returns how many. `kept` has room for all.
-    std::size_t (*collect)(const SourceLeaf& leaf, std::size_t count, const GaussianSource& shift,
-                           const float half_size[3], float squared_distance, GaussianSource* kept);
     /// Sums all sources for each target.
     void (*sum)(const GaussianTargets& targets, const GaussianSource* sources,
                 std::size_t source_count, GaussianLaneSums& sums);

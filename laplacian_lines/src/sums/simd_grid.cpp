@@ -105,51 +105,20 @@ static void interpolate(const GridNode* corner, const CellPlace& place, PointSum
     }
 }
 
-/// Calls visit(node of the box, node of the block) for the first of the four of each row.
-template <class Visit>
-static inline void for_each_row(int part, unsigned rows, Visit visit) {
-    const int first = (((part >> 2) * kBox + (part >> 1 & 1)) * kBox + (part & 1)) * kBlock;
-    for (; rows; rows &= rows - 1) {
-        const int row = __builtin_ctz(rows);
-        visit(first + (row / kBlock * kBox + row % kBlock) * kBox, row * kBlock);
-    }
-}
-
-static void clear_rows(int part, RowMask rows, GridNode* box) {
-    for_each_row(part, rows, [&](int in_box, int) {
-        for (int i = 0; i < kBlock * kCount; ++i)
-            get(box[in_box].moments, i) = Floats{};
-    });
-}
-
-static void copy_rows(int part, RowMask rows, const GridNode* block, GridNode* box) {
-    for_each_row(part, rows, [&](int in_box, int in_block) {
-        for (int i = 0; i < kBlock * kCount; ++i)
-            get(box[in_box].moments, i) = get(block[in_block].moments, i);
-    });
-}
-
-static void add_rows(int part, RowMask rows, const GridNode* box, GridNode* block) {
-    for_each_row(part, rows, [&](int in_box, int in_block) {
-        for (int i = 0; i < kBlock * kCount; ++i)
-            get(block[in_block].moments, i) += get(box[in_box].moments, i);
-    });
-}
-
+/// Of the four nodes along an axis that are a row.
 static inline int row_begin(int axis, int row) {
     return axis == 0 ? 4 * row : axis == 1 ? 16 * (row / 4) + row % 4 : row;
 }
 
-static void convolve(const ConvolutionInput& input, RowMask rows, GridNode* output) {
+static void convolve(const ConvolutionInput& input, GridNode* output) {
     const int stride = input.axis == 0 ? 1 : input.axis == 1 ? 4 : 16;
     constexpr int together = kCount < 2 ? kCount : 2;  // that registers have room for
     for (int row = 0; row < 16; ++row) {
         const int begin = row_begin(input.axis, row);
-        const int count = rows >> row & 1 ? input.count : 0;
         for (int first = 0; first < kCount; first += together) {
             Floats sum[together][kBlock]{};
-            for (int b = 0; b < count; ++b) {
-                if (!(input.rows[b] >> row & 1)) continue;
+            for (int b = 0; b < input.count; ++b) {
+                if (!input.blocks[b]) continue;
                 const GridNode* in = input.blocks[b] + begin;
                 const float* taps = input.taps + kBlock * (b - input.count / 2);
                 for (int k = 0; k < kBlock; ++k)
@@ -171,8 +140,7 @@ static void convolve(const ConvolutionInput& input, RowMask rows, GridNode* outp
 template <>
 const GridLoops& functions_of<GridLoops, InstructionSet::SIMD_SET>() {
     using namespace SIMD_SET;
-    static constexpr GridLoops functions = {spread,    interpolate, clear_rows,
-                                            copy_rows, add_rows,    convolve};
+    static constexpr GridLoops functions = {spread, interpolate, convolve};
     return functions;
 }
 

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <utility>
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -33,7 +32,6 @@ static inline std::size_t whole_vectors(std::size_t count) {
 
 typedef float Floats __attribute__((vector_size(4 * kLanes)));
 typedef std::int32_t Ints __attribute__((vector_size(4 * kLanes)));  ///< masks: 0 or -1
-typedef double Doubles __attribute__((vector_size(4 * kLanes)));     ///< half as many lanes
 
 static inline Floats load(const float* p) {  // aligned
     return *reinterpret_cast<const Floats*>(p);
@@ -46,20 +44,13 @@ static inline Floats load_anywhere(const float* p) {
 static inline void store(float* p, Floats v) {  // aligned
     *reinterpret_cast<Floats*>(p) = v;
 }
-static inline Doubles load(const double* p) {
-    return *reinterpret_cast<const Doubles*>(p);
-}
-static inline void store(double* p, Doubles v) {
-    *reinterpret_cast<Doubles*>(p) = v;
-}
-/// Of any of these vectors.
+/// Of vectors of floats.
 template <class Vector>
 static inline Vector square_root(Vector v) {
-    constexpr unsigned count = sizeof v / sizeof v[0];
-    std::remove_reference_t<decltype(v[0])> numbers[count];
+    float numbers[sizeof v / sizeof(float)];
     __builtin_memcpy(numbers, &v, sizeof v);
-    for (unsigned i = 0; i < count; ++i)
-        numbers[i] = sizeof v[0] == 4 ? __builtin_sqrtf(numbers[i]) : __builtin_sqrt(numbers[i]);
+    for (float& number : numbers)
+        number = __builtin_sqrtf(number);
     __builtin_memcpy(&v, numbers, sizeof v);
     return v;
 }
@@ -76,10 +67,6 @@ static inline Floats at_most(Floats v, float bound) {
 /// 0 for NaN.
 static inline Floats clamp01(Floats v) {
     return at_most(at_least(v, 0), 1);
-}
-/// max(|v| − half, 0)
-static inline Floats beyond(Floats v, float half) {
-    return at_least(absolute(v) - half, 0);
 }
 /// Bit i: mask of lane i.
 static inline unsigned bits_of(Ints mask) {

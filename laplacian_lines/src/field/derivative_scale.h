@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+
+#include "laplacian_lines/field.h"
+
+namespace laplacian_lines {
+
+/// √h of C and S̄, mesh units: fits need more vertices than the Laplacian's sums do.
+inline double derivative_kernel(const FieldScale& scale) {
+    return std::max(scale.kernel_size, 2 * scale.mean_edge);
+}
+
+}  // namespace laplacian_lines
