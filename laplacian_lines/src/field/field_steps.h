@@ -69,9 +69,9 @@ std::vector<Eigen::Vector3d> cotangent_laplacian(const PreparedMesh& mesh,
 /// Fills Field::smooth_curvatures and curvature_derivatives from the rest of the field alone, so
 /// that it does not matter where that comes from. C is the slope of the linear function, in the
 /// tangent plane, that best fits S of the vertices within kDerivativeReach √h, weighted by mass,
-/// nearness and how they face. The fit cancels what triangle shapes and noise add; docs/accuracy.md
-/// compares. With too few vertices: set_ring_derivatives(). S̄ is the value of such a fit, within
-/// kSmoothReach √h, at the vertex, or S with too few vertices. Borders do not bias it.
+/// nearness and how they face. The fit cancels what triangle shapes and noise add, see
+/// docs/measurements.md. With too few vertices: set_ring_derivatives(). S̄ is the value of such a
+/// fit, within kSmoothReach √h, at the vertex, or S with too few vertices. Borders do not bias it.
 void fill_curvature_derivatives(const PreparedMesh& mesh, const SpatialTree& tree,
                                 const VertexRanges& ranges, const StageProgress& stage,
                                 Field& field);
