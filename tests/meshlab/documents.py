@@ -27,8 +27,8 @@ def jar(file):
 
 def commands(text):
     """Lines of the blocks of code that have no language."""
-    for block in re.findall(r"(?ms)^```\n(.*?)^```$", text):
-        yield from block.splitlines()
+    for language, block in re.findall(r"(?ms)^```(\w*)\n(.*?)^```$", text):
+        yield from () if language else block.splitlines()
 
 
 def call(words):
@@ -38,8 +38,6 @@ def call(words):
     folder.mkdir()
     if words[0] == "laplacian-lines" or words[:2] == ["./run", "--drawing"]:
         return drawing.run_drawing(words[1 if words[0] == "laplacian-lines" else 2:], folder)
-    if words[0] != "./run":
-        return None
     options = command.parse(words[1:])
     if options.picture:
         return command.run_command(words[1:], folder) or 0
@@ -61,11 +59,13 @@ with mock.patch.object(models, "stanford_dragon", lambda: None), mock.patch.obje
         mock.patch.object(command, "build_and_stage", lambda *_: STAGE):
     for page in [CHECKOUT / "README.md", *sorted((CHECKOUT / "docs").glob("*.md"))]:
         for line in commands(page.read_text()):
-            words = shlex.split(line, comments=True)
-            if words:
+            if line.startswith(("./run", "laplacian-lines")):
+                words = shlex.split(line, comments=True)
+                written = [word for word in words if word.endswith((".png", ".pdf", ".svg", ".dxf"))][:1]
+                for file in written:
+                    pathlib.Path(file).unlink(missing_ok=True)
                 code = call(words)
                 expect(code in (None, 0), f"{page.name}: {line}\nends with {code}")
+                expect(code is None or all(map(is_file, written)), f"{page.name}: {line}\nwrites no {written}")
                 run_count += code == 0
-                drawings = [word for word in words if word.endswith((".png", ".pdf", ".svg", ".dxf"))][:code is not None]
-                expect(all(map(is_file, drawings)), f"{page.name}: {line}\nwrites no {drawings}")
 expect(run_count >= 12, f"only {run_count} commands were found")

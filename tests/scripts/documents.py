@@ -24,7 +24,7 @@ def anchors(file):
 documents = [root / "README.md"]
 documents += [f for f in sorted(root.glob("*/**/*.md")) if not f.relative_to(root).parts[0].startswith("build")]
 for file in documents:
-    for link in re.findall(r"\]\(([^)\s]+)\)", text_of(file)):
+    for link in re.findall(r"(?:\]\(|src=\")([^)\s\"]+)[)\"]", text_of(file)):
         name, _, anchor = link.partition("#")
         target = (file.parent / name).resolve() if name else file
         if re.match(r"[a-z]+:|\.\./\.\./actions/", link):  # on the web; GitHub's pages beside the files
