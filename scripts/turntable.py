@@ -20,9 +20,13 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 
 def points_of(group):
-    """Of a view's strokes, mm on the page."""
-    numbers = [float(number) for path in group.iter(f"{SVG}path") for number in re.findall(r"-?[0-9.]+", path.get("d"))]
-    return list(zip(numbers[::2], numbers[1::2]))
+    """Ends of the lines and curves of a view, mm on the page; all but the first of a path are relative."""
+    points = []
+    for path in group.iter(f"{SVG}path"):
+        for command, text in re.findall(r"([Mlc])([^Mlcz]*)", path.get("d")):
+            *_, x, y = map(float, re.findall(r"-?[0-9]*\.?[0-9]+", text))
+            points.append((x, y) if command == "M" else (points[-1][0] + x, points[-1][1] + y))
+    return points
 
 
 def middle_and_half(values):
