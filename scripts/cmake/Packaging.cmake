@@ -10,7 +10,7 @@ endif()
 set(made "${PROJECT_BINARY_DIR}/share")
 install(TARGETS laplacian_lines_drawing RUNTIME DESTINATION /usr/bin COMPONENT command EXCLUDE_FROM_ALL)
 install(CODE "execute_process(COMMAND \"${PROJECT_SOURCE_DIR}/scripts/product/package_files.py\"
-  \"$<TARGET_FILE:laplacian_lines_drawing>\" \"${PROJECT_SOURCE_DIR}/docs/changelog.md\" \"${made}\" COMMAND_ERROR_IS_FATAL ANY)"
+  \"$<TARGET_FILE:laplacian_lines_drawing>\" \"${PROJECT_SOURCE_DIR}/CHANGELOG.md\" \"${made}\" COMMAND_ERROR_IS_FATAL ANY)"
   COMPONENT command EXCLUDE_FROM_ALL)
 install(DIRECTORY "${made}/" DESTINATION /usr/share COMPONENT command EXCLUDE_FROM_ALL)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION . COMPONENT loose EXCLUDE_FROM_ALL)

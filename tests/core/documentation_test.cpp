@@ -29,7 +29,7 @@ TEST(Documented, NumbersOfKinds) {
     std::string numbers;
     for (const LineKindDescription& row : line_kinds)
         numbers += (numbers.empty() ? "" : ", ") + std::to_string(int(row.kind)) + " " + row.one;
-    EXPECT_TRUE(contains(content("docs/parameters.md"), "`ll_kind` (" + numbers + ")")) << numbers;
+    EXPECT_TRUE(contains(content("docs/script.md"), "`ll_kind` (" + numbers + ")")) << numbers;
 }
 
 }  // namespace

@@ -6,12 +6,9 @@
 
 #include <QTextDocument>
 #include <cmath>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "meshlab_host/camera.h"
-#include "places.h"
 
 namespace {
 
@@ -45,16 +42,6 @@ TEST(DecorationParameters, AreFewHaveNamesOfTheirOwnAndToolTipsThatWrap) {
         EXPECT_TRUE(Qt::mightBeRichText(parameter.toolTip())) << parameter.name().toStdString();
     }
     EXPECT_LE(names.size(), 18u);
-}
-
-TEST(DecorationParameters, AreInTheDocuments) {
-    std::ostringstream text;
-    text << std::ifstream(places::repository() / "docs/parameters.md").rdbuf();
-    const RichParameterList list = listed();
-    for (const RichParameter& parameter : list)
-        EXPECT_NE(text.str().find("| " + parameter.fieldDescription().toStdString() + " |"),
-                  std::string::npos)
-            << parameter.fieldDescription().toStdString();
 }
 
 TEST(DecorationParameters, AreTheDefaultsWhenNothingIsSet) {

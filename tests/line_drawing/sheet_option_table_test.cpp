@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of sheet options, what is made from it, and documents that follow it.
+// The table of sheet options, what is made from it, and the example of a script that follows it.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -24,14 +24,6 @@ std::string content(const char* file) {
 
 bool has(const std::string& text, const std::string& part) {
     return text.find(part) != text.npos;
-}
-
-/// The line that begins with this, or nothing.
-std::string lineWith(const std::string& begin, const std::string& text) {
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);)
-        if (trimmed(line).substr(0, begin.size()) == begin) return line;
-    return {};
 }
 
 std::vector<SheetOption> optionsOf(Place place) {
@@ -105,32 +97,6 @@ TEST(SheetOptions, AreInTheHelpWithValuesAndDefault) {
     EXPECT_TRUE(has(help, "  --wall hatched|filled|none\n")) << help;
     EXPECT_TRUE(has(help, "outline alone. (hatched)\n"));
     EXPECT_FALSE(has(help, "--layers"));
-}
-
-TEST(SheetOptions, OfTheCommandAreDocumented) {
-    const std::string document = content("docs/drawing_sheets.md");
-    for (const SheetOption& option : optionsOf(Place::Command)) {
-        const std::string line = lineWith("| `" + option.command() + "` |", document);
-        const std::string usual = option.valueIn({});
-        EXPECT_TRUE(has(line, "| " + (usual.empty() ? "none" : usual) + " |"))
-            << option.row.key << ": " << usual;
-        const std::string words = joined(option.words(), ", ");
-        EXPECT_TRUE(has(line, "| " + words)) << option.row.key << ": " << words;
-    }
-}
-
-TEST(SheetOptions, OfTheFilterAreDocumented) {
-    const std::string all = content("docs/parameters.md");
-    const std::string document = all.substr(all.find("## Export"));
-    for (const SheetOption& option : optionsOf(Place::Filter)) {
-        const std::string begin =
-            std::string("| ") + option.row.label + " | `" + option.row.key + "` |";
-        const std::string line = lineWith(begin, document);
-        const std::string usual = option.valueIn({});
-        EXPECT_FALSE(line.empty()) << begin;
-        if (option.row.kind == laplacian_lines::OptionKind::Boolean) continue;
-        EXPECT_TRUE(has(lower(line), lower(usual))) << option.row.key << ": " << usual;
-    }
 }
 
 /// As in MeshLab's script.

@@ -3,7 +3,7 @@
 
 namespace laplacian_lines {
 
-/// Such as "0.3.0", see docs/changelog.md.
+/// Such as "0.3.0", see CHANGELOG.md.
 const char* version();
 
 }  // namespace laplacian_lines

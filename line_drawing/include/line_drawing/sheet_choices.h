@@ -67,7 +67,7 @@ struct SheetOption {
 };
 
 /// In the order of the dialog. Command line, help, the filter's parameters and dialog are made from
-/// it; docs/ and examples are checked against it.
+/// it; the example of a script is checked against it.
 const std::vector<SheetOption>& sheetOptionTable();
 
 /// By the command's name, such as "--paper"; null if there is none.

@@ -125,7 +125,8 @@ std::vector<SightLine> strokesOf(const Objects& objects, const ViewFrame& frame,
     options.pens = pensFor(size, options.pens);
     {
         ObjectLines lines(objects);
-        lines.makeReady(options, placement.scale, part(progress, 0, lines_share));
+        lines.makeReady(options, placement.scale, Kernel::Exact,
+                        part(progress, 0, lines_share));
         options.kernel = {lines.kernelSize() * placement.scale, false};
         const auto found = lines.extract(observer.viewOf(drawn, options), options.style);
         observer.prepare({options}, part(progress, lines_share, sight_share));

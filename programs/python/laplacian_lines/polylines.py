@@ -74,7 +74,7 @@ class Polylines:
     weights: NDArray[numpy.float32]  #: (p,), shares of the full width, 0 to 1
     opacities: NDArray[numpy.float32]  #: (p,), 0 to 1
     #: (p,), how much the shading changes across the line, or by how many degrees the surface turns; see
-    #: docs/parameters.md
+    #: docs/script.md
     gradients: NDArray[numpy.float32]
     offsets: NDArray[numpy.int64]  #: (l + 1,)
     kinds: NDArray[numpy.uint8]  #: (l,), places in KINDS
