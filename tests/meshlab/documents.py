@@ -7,8 +7,6 @@ from unittest import mock
 from harness import *
 from product import command, drawing, meshlabserver, models
 
-os.environ.pop("DISPLAY")  # as on a server
-
 
 def jar(file):
     """Round about y, closed, with walls and half a handle."""
@@ -32,7 +30,8 @@ def commands(text):
 
 
 def call(words):
-    """The exit code of a line of a document; None if nothing of it is run here."""
+    """The exit code of a line of a document on a server; None if nothing of it is run here."""
+    os.environ.pop("DISPLAY", None)
     folder = WORK / "temporary"
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
