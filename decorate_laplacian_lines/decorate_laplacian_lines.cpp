@@ -17,7 +17,7 @@ using meshlab_host::CameraMatrices;
 
 namespace {
 
-const QString title = "Laplacian Lines";
+const QString kTitle = "Laplacian Lines";
 
 meshlab_host::DecorationDescription description() {
     const QString help =
@@ -25,16 +25,16 @@ meshlab_host::DecorationDescription description() {
         "light at the eye, and the occluding contours. Run the filter Compute Laplacian Lines "
         "first to choose how they are computed; otherwise the default parameters are used. "
         "Version ";
-    return {"DecorateLaplacianLines", title, help + laplacian_lines::version() + '.'};
+    return {"DecorateLaplacianLines", kTitle, help + laplacian_lines::version() + '.'};
 }
 
-laplacian_lines::View viewOf(const CameraMatrices& camera, const Eigen::Matrix4d& layer,
-                             const DecorationParameters& chosen) {
-    auto view = meshlab_host::viewFromMatrices(camera.modelview, camera.projection, layer);
+laplacian_lines::View view_of(const CameraMatrices& camera, const Eigen::Matrix4d& layer,
+                              const DecorationParameters& chosen) {
+    auto view = meshlab_host::view_from_matrices(camera.modelview, camera.projection, layer);
     if (!view) throw std::runtime_error("The layer's transformation cannot be inverted.");
-    if (const auto azimuth = lightAzimuth(chosen))
-        view->light = meshlab_host::directionInMesh(meshlab_host::towardsLight(*azimuth),
-                                                    camera.modelview, layer);
+    if (const auto azimuth = light_azimuth(chosen))
+        view->light = meshlab_host::direction_in_mesh(meshlab_host::towards_light(*azimuth),
+                                                      camera.modelview, layer);
     return *view;
 }
 
@@ -52,40 +52,40 @@ QString statistics(const laplacian_lines::LineSet& lines, const RedrawClock& clo
         .arg(1e-3 * switching_on, 0, 'f', 3);
 }
 
-QWidget* widgetOf(QPainter* painter) {
+QWidget* widget_of(QPainter* painter) {
     return painter ? dynamic_cast<QWidget*>(painter->device()) : nullptr;
 }
 
-double lineScale(QPainter* painter) {
-    const QWidget* widget = widgetOf(painter);
+double line_scale(QPainter* painter) {
+    const QWidget* widget = widget_of(painter);
     const QVariant scale = widget ? widget->property(line_scale_property) : QVariant();
     return scale.isValid() ? scale.toDouble() : 1;
 }
 
-Eigen::Vector2i viewportSize() {
+Eigen::Vector2i viewport_size() {
     GLint viewport[4] = {};
     glGetIntegerv(GL_VIEWPORT, viewport);
     return {viewport[2], viewport[3]};
 }
 
 /// The upper left corner, in the whole picture, of a view that is one of so many tiles in a row.
-Eigen::Vector2i cornerOf(const Eigen::Matrix4d& projection, int tiles) {
+Eigen::Vector2i corner_of(const Eigen::Matrix4d& projection, int tiles) {
     if (tiles == 1) return {0, 0};
-    const Eigen::Array2d offset = meshlab_host::frustumOffset(projection);
+    const Eigen::Array2d offset = meshlab_host::frustum_offset(projection);
     const Eigen::Array2d from_lower_left = (tiles - 1 - offset) / 2;
     const Eigen::Array2d tile(from_lower_left.x(), tiles - 1 - from_lower_left.y());
-    return tile.round().cast<int>() * viewportSize().array();
+    return tile.round().cast<int>() * viewport_size().array();
 }
 
-double devicePixelRatio(QPainter* painter) {
+double device_pixel_ratio(QPainter* painter) {
     return painter && painter->device() ? painter->device()->devicePixelRatioF() : 1;
 }
 
 /// The layer as `camera` sees it and MeshLab draws it; the caller adds what the redraw knows.
-LayerInView layerInView(const MeshModel& mesh, const PreparedLines& lines,
-                        const CameraMatrices& camera) {
-    const Eigen::Matrix4d transform = meshlab_host::layerTransform(mesh.cm);
-    const meshlab_host::LayerDrawing shown = meshlab_host::layerDrawing(mesh);
+LayerInView layer_in_view(const MeshModel& mesh, const PreparedLines& lines,
+                          const CameraMatrices& camera) {
+    const Eigen::Matrix4d transform = meshlab_host::layer_transform(mesh.cm);
+    const meshlab_host::LayerDrawing shown = meshlab_host::layer_drawing(mesh);
     LayerInView layer;
     layer.mesh = mesh.id();
     layer.modelview = camera.modelview;
@@ -100,7 +100,7 @@ LayerInView layerInView(const MeshModel& mesh, const PreparedLines& lines,
 }
 
 /// And computing them has not failed.
-bool isWithoutDerivatives(const PreparedLines& lines) {
+bool is_without_derivatives(const PreparedLines& lines) {
     return lines.extractor && !lines.has_derivatives && lines.lack.isEmpty();
 }
 
@@ -108,12 +108,12 @@ bool isWithoutDerivatives(const PreparedLines& lines) {
 
 DecorateLaplacianLines::DecorateLaplacianLines() : DecoratePluginBase(description()) {}
 
-void DecorateLaplacianLines::listParameters(RichParameterList& list) const {
-    listDecorationParameters(list);
+void DecorateLaplacianLines::list_parameters(RichParameterList& list) const {
+    list_decoration_parameters(list);
 }
 
-ValidParameters DecorateLaplacianLines::validParameters(const RichParameterList& parameters) {
-    ValidParameters valid = readValidParameters(parameters, last_good_);
+ValidParameters DecorateLaplacianLines::valid_parameters(const RichParameterList& parameters) {
+    ValidParameters valid = read_valid_parameters(parameters, last_good_);
     last_good_ = valid.as_set;
     return valid;
 }
@@ -121,22 +121,22 @@ ValidParameters DecorateLaplacianLines::validParameters(const RichParameterList&
 bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList& parameters,
                                    GLArea* view) {
     // Not at redraws: MeshLab restarts decorations whenever a parameter changes.
-    const ValidParameters valid = validParameters(parameters);
-    meshlab_host::noteDrawnStyle(drawnStyleOf(valid.chosen));
+    const ValidParameters valid = valid_parameters(parameters);
+    meshlab_host::note_drawn_style(drawn_style_of(valid.chosen));
     if (!has_looked_at_settings_) {
-        const QString forgotten = forgetOtherSettings();
-        if (!forgotten.isEmpty()) say(QString("%1: %2").arg(title, forgotten));
+        const QString forgotten = forget_other_settings();
+        if (!forgotten.isEmpty()) say(QString("%1: %2").arg(kTitle, forgotten));
     }
     has_looked_at_settings_ = true;
     QString refusal;
     try {
         const bool needs_derivatives = valid.chosen.style.shows.needs_derivatives();
-        refusal = demandLines(mesh, view, needs_derivatives)->failure;
+        refusal = demand_lines(mesh, view, needs_derivatives)->failure;
     } catch (const std::exception& error) {
         refusal = QString::fromUtf8(error.what());
     }
     if (refusal.isEmpty()) return true;
-    const MeshDocument* document = meshlab_host::documentOf(mesh);
+    const MeshDocument* document = meshlab_host::document_of(mesh);
     const GLLogStream* log = document ? &document->Log : nullptr;
     complaints_.erase({log, int(mesh.id())});  // each time that it is switched on
     complain(mesh, log, refusal);
@@ -145,18 +145,18 @@ bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList& par
 
 void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& parameters,
                                   GLArea* view, QPainter* painter, GLLogStream& log) {
-    const ValidParameters valid = validParameters(parameters);
+    const ValidParameters valid = valid_parameters(parameters);
     QStringList complaints = valid.refused;
     QString text;
     if (shows_statistics_) glFinish();  // the mesh's own drawing must not count
     RedrawClock clock;
     try {
         const bool needs_derivatives = valid.chosen.style.shows.needs_derivatives();
-        PreparedLinesPointer lines = currentLines(mesh, view, painter);
-        if (!lines || (needs_derivatives && isWithoutDerivatives(*lines)))
-            lines = demandLines(mesh, view, needs_derivatives);
+        PreparedLinesPointer lines = current_lines(mesh, view, painter);
+        if (!lines || (needs_derivatives && is_without_derivatives(*lines)))
+            lines = demand_lines(mesh, view, needs_derivatives);
         if (lines->failure.isEmpty())
-            text = drawLines(mesh, lines, valid.chosen, view, painter, clock);
+            text = draw_lines(mesh, lines, valid.chosen, view, painter, clock);
         const QString& lack = needs_derivatives ? lines->lack : QString();
         complaints += QStringList{lines->failure, lack};
     } catch (const std::exception& error) {
@@ -165,9 +165,9 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
     complaints.removeAll({});
     const QString refusal = complaints.join(" ");
     complain(mesh, &log, refusal);
-    tellOfNewLayers(mesh, view);
+    tell_of_new_layers(mesh, view);
     const QString& message = refusal.isEmpty() ? text : refusal;
-    if (!message.isEmpty()) meshlab_host::writeOnView(log, title, mesh.label(), message);
+    if (!message.isEmpty()) meshlab_host::write_on_view(log, kTitle, mesh.label(), message);
 }
 
 void DecorateLaplacianLines::end(MeshModel& mesh, GLArea* view) {
@@ -175,34 +175,34 @@ void DecorateLaplacianLines::end(MeshModel& mesh, GLArea* view) {
     prints_.forget(view);
 }
 
-void DecorateLaplacianLines::endAll(GLArea* view) {
-    cache_.releaseView(view);
+void DecorateLaplacianLines::end_all(GLArea* view) {
+    cache_.release_view(view);
     prints_.forget(view);
     drawing_.forget(view);
     complaints_.clear();  // a new document may get the address of the old
 }
 
-void DecorateLaplacianLines::meshGone(GLArea* view) {
-    cache_.releaseUnlessAssigned(view);
+void DecorateLaplacianLines::mesh_gone(GLArea* view) {
+    cache_.release_unless_assigned(view);
     prints_.forget(view);
 }
 
-PreparedLinesPointer DecorateLaplacianLines::demandLines(MeshModel& mesh, GLArea* view,
-                                                         bool needs_derivatives) {
-    if (const MeshDocument* document = meshlab_host::documentOf(mesh))
-        cache_.releaseAllBut(view, meshlab_host::layerIds(*document));
-    const meshlab_host::FieldSource source = meshlab_host::fieldSource(mesh.cm);
+PreparedLinesPointer DecorateLaplacianLines::demand_lines(MeshModel& mesh, GLArea* view,
+                                                          bool needs_derivatives) {
+    if (const MeshDocument* document = meshlab_host::document_of(mesh))
+        cache_.release_all_but(view, meshlab_host::layer_ids(*document));
+    const meshlab_host::FieldSource source = meshlab_host::field_source(mesh.cm);
     const auto say_line = [this](const QString& line) { say(line); };
     const auto prepare = [&] {
-        return prepareLines(mesh.cm, mesh.label(),
-                            needs_derivatives ? withDerivatives(source) : source, say_line);
+        return prepare_lines(mesh.cm, mesh.label(),
+                             needs_derivatives ? with_derivatives(source) : source, say_line);
     };
     PreparedLinesPointer lines = cache_.find(source.key);
     if (!lines || lines->lacked_memory) lines = prepare();
     if (lines->lacked_memory && kept_.drop()) lines = prepare();
     if (needs_derivatives && lines->extractor && !lines->has_derivatives) {
         prints_.interrupt();  // they may read the extractor
-        addDerivatives(*lines, mesh.cm, mesh.label(), source, say_line);
+        add_derivatives(*lines, mesh.cm, mesh.label(), source, say_line);
     }
     cache_.assign(view, mesh.id(), lines);
     keep(mesh, lines);
@@ -210,50 +210,50 @@ PreparedLinesPointer DecorateLaplacianLines::demandLines(MeshModel& mesh, GLArea
 }
 
 void DecorateLaplacianLines::keep(const MeshModel& mesh, const PreparedLinesPointer& lines) {
-    MeshDocument* const document = meshlab_host::documentOf(mesh);
+    MeshDocument* const document = meshlab_host::document_of(mesh);
     if (!document) return;
     const auto [known, is_new] = known_layers_.try_emplace(document);
     if (is_new) {
-        meshlab_host::whenMeshesChange(document, this, [=](const std::vector<int>& alive) {
-            kept_.forgetAllBut(document, alive);
+        meshlab_host::when_meshes_change(document, this, [=](const std::vector<int>& alive) {
+            kept_.forget_all_but(document, alive);
         });
         connect(document, &QObject::destroyed, this, [=] { known_layers_.erase(document); });
-        const std::vector<int> alive = meshlab_host::layerIds(*document);
+        const std::vector<int> alive = meshlab_host::layer_ids(*document);
         known->second.insert(alive.begin(), alive.end());
     }
     known->second.insert(mesh.id());
     kept_.keep(document, mesh.id(), lines);
 }
 
-void DecorateLaplacianLines::tellOfNewLayers(const MeshModel& mesh, GLArea* view) {
-    const MeshDocument* document = meshlab_host::documentOf(mesh);
+void DecorateLaplacianLines::tell_of_new_layers(const MeshModel& mesh, GLArea* view) {
+    const MeshDocument* document = meshlab_host::document_of(mesh);
     const auto known = known_layers_.find(document);
     if (known == known_layers_.end()) return;
-    for (const MeshModel* layer : meshlab_host::layersOf(*document)) {
+    for (const MeshModel* layer : meshlab_host::layers_of(*document)) {
         if (layer->cm.fn == 0 || !layer->isVisible()) continue;
         if (!known->second.insert(int(layer->id())).second) continue;
         if (!cache_.at(view, layer->id()))
             say(QString("%1: %2 came later and has no lines yet: with it as the current layer, "
                         "switch on Render > %1")
-                    .arg(title, layer->label()));
+                    .arg(kTitle, layer->label()));
     }
 }
 
-PreparedLinesPointer DecorateLaplacianLines::currentLines(const MeshModel& mesh, GLArea* view,
-                                                          QPainter* painter) {
+PreparedLinesPointer DecorateLaplacianLines::current_lines(const MeshModel& mesh, GLArea* view,
+                                                           QPainter* painter) {
     PreparedLinesPointer lines = cache_.at(view, mesh.id());
-    if (!lines || !meshlab_host::sameCounts(lines->key.stamp, mesh.cm)) return nullptr;
-    const Eigen::Matrix4d modelview = meshlab_host::cameraFromGl().modelview;
-    const bool is_check_due = cache_.isCheckDue(view, mesh.id(), modelview, widgetOf(painter));
-    if (is_check_due && meshlab_host::geometryStamp(mesh.cm) != lines->key.stamp) return nullptr;
+    if (!lines || !meshlab_host::same_counts(lines->key.stamp, mesh.cm)) return nullptr;
+    const Eigen::Matrix4d modelview = meshlab_host::camera_from_gl().modelview;
+    const bool is_check_due = cache_.is_check_due(view, mesh.id(), modelview, widget_of(painter));
+    if (is_check_due && meshlab_host::geometry_stamp(mesh.cm) != lines->key.stamp) return nullptr;
     return lines;
 }
 
-std::shared_ptr<PrintedScene> DecorateLaplacianLines::printedScene(const MeshModel& mesh,
-                                                                   GLArea* view) const {
+std::shared_ptr<PrintedScene> DecorateLaplacianLines::printed_scene(const MeshModel& mesh,
+                                                                    GLArea* view) const {
     std::vector<const MeshModel*> layers = {&mesh};
-    if (const MeshDocument* document = meshlab_host::documentOf(mesh))
-        layers = meshlab_host::layersOf(*document);
+    if (const MeshDocument* document = meshlab_host::document_of(mesh))
+        layers = meshlab_host::layers_of(*document);
     std::vector<PlacedMesh> placed;
     PreparedLinesPointer first;
     std::size_t triangles = 0;
@@ -265,22 +265,22 @@ std::shared_ptr<PrintedScene> DecorateLaplacianLines::printedScene(const MeshMod
         if (!lines || !lines->printable) return nullptr;
         triangles += lines->printable->mesh.triangles.size();
         if (!first) first = lines;
-        placed.push_back({lines->printable, meshlab_host::layerTransform(layer->cm)});
+        placed.push_back({lines->printable, meshlab_host::layer_transform(layer->cm)});
     }
     if (!first || triangles > PrintedScene::most_triangles) return nullptr;
-    const std::shared_ptr<PrintedScene> shown = prints_.sceneOf(view);
-    if (shown && shown->isOf(placed)) return shown;
-    if (!first->scene || !first->scene->isOf(placed))
+    const std::shared_ptr<PrintedScene> shown = prints_.scene_of(view);
+    if (shown && shown->is_of(placed)) return shown;
+    if (!first->scene || !first->scene->is_of(placed))
         first->scene = std::make_shared<PrintedScene>(std::move(placed));
     return first->scene;
 }
 
-std::optional<PrintedView> DecorateLaplacianLines::printedView(const MeshModel& mesh, GLArea* view,
-                                                               const DecorationParameters& chosen,
-                                                               const LayerInView& layer,
-                                                               int tiles) const {
+std::optional<PrintedView> DecorateLaplacianLines::printed_view(const MeshModel& mesh, GLArea* view,
+                                                                const DecorationParameters& chosen,
+                                                                const LayerInView& layer,
+                                                                int tiles) const {
     if (chosen.at_rest != AtRest::PrintedDrawing) return std::nullopt;
-    const std::shared_ptr<PrintedScene> scene = printedScene(mesh, view);
+    const std::shared_ptr<PrintedScene> scene = printed_scene(mesh, view);
     if (!scene) return std::nullopt;
     Eigen::Matrix4d projection = layer.placement.projection;
     if (tiles > 1) {
@@ -289,51 +289,52 @@ std::optional<PrintedView> DecorateLaplacianLines::printedView(const MeshModel& 
     }
     const double pen =
         line_drawing::SheetOptions().pens[std::size_t(line_drawing::LineClass::Inner)];
-    const Eigen::Matrix4d to_eye = layer.modelview * scene->toWorld();
-    auto window = windowOf(to_eye, projection, tiles * viewportSize(),
-                           chosen.line_width * layer.placement.pixel_scale / pen);
+    const Eigen::Matrix4d to_eye = layer.modelview * scene->to_world();
+    auto window = window_of(to_eye, projection, tiles * viewport_size(),
+                            chosen.line_width * layer.placement.pixel_scale / pen);
     if (!window) return std::nullopt;
     return PrintedView{scene, to_eye, projection, *window, chosen};
 }
 
-Print DecorateLaplacianLines::demandPrint(const MeshModel& mesh, GLArea* view,
-                                          const DecorationParameters& chosen,
-                                          const LayerInView& layer, int tiles) {
-    const auto printed = printedView(mesh, view, chosen, layer, tiles);
+Print DecorateLaplacianLines::demand_print(const MeshModel& mesh, GLArea* view,
+                                           const DecorationParameters& chosen,
+                                           const LayerInView& layer, int tiles) {
+    const auto printed = printed_view(mesh, view, chosen, layer, tiles);
     if (!printed) {
         prints_.forget(view);
         return {};
     }
-    const bool waits = snapshot_dialog_.hasClosed() || tiles > 1 ||
+    const bool waits = snapshot_dialog_.has_closed() || tiles > 1 ||
                        (layer.widget && layer.widget->property(waits_property).toBool());
     Print print = prints_.demand(view, layer.widget, *printed, waits);
-    if (!print.lack.isEmpty()) say(QString("%1: %2: %3").arg(title, mesh.label(), print.lack));
+    if (!print.lack.isEmpty()) say(QString("%1: %2: %3").arg(kTitle, mesh.label(), print.lack));
     return print;
 }
 
-QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedLinesPointer& lines,
-                                          const DecorationParameters& chosen, GLArea* view,
-                                          QPainter* painter, RedrawClock& clock) {
+QString DecorateLaplacianLines::draw_lines(const MeshModel& mesh, const PreparedLinesPointer& lines,
+                                           const DecorationParameters& chosen, GLArea* view,
+                                           QPainter* painter, RedrawClock& clock) {
     shows_statistics_ = chosen.show_statistics;
-    const CameraMatrices camera = meshlab_host::cameraFromGl();
-    const laplacian_lines::View eye = viewOf(camera, meshlab_host::layerTransform(mesh.cm), chosen);
-    LayerInView layer = layerInView(mesh, *lines, camera);
+    const CameraMatrices camera = meshlab_host::camera_from_gl();
+    const laplacian_lines::View eye =
+        view_of(camera, meshlab_host::layer_transform(mesh.cm), chosen);
+    LayerInView layer = layer_in_view(mesh, *lines, camera);
     layer.view = view;
-    layer.widget = widgetOf(painter);
+    layer.widget = widget_of(painter);
     const int tiles = int(tiles_.scale(camera));
-    layer.placement.pixel_scale = devicePixelRatio(painter) * lineScale(painter) * tiles;
+    layer.placement.pixel_scale = device_pixel_ratio(painter) * line_scale(painter) * tiles;
     if (tiles > 1)
         layer.placement.picture_to_clip = tiles_.camera().projection * tiles_.camera().modelview *
-                                          meshlab_host::layerTransform(mesh.cm);
-    layer.is_first = beginsRedraw(painter);
-    const MeshDocument* document = meshlab_host::documentOf(mesh);
-    if (layer.is_first && document) layer.shown = meshlab_host::layerIds(*document, true);
+                                          meshlab_host::layer_transform(mesh.cm);
+    layer.is_first = begins_redraw(painter);
+    const MeshDocument* document = meshlab_host::document_of(mesh);
+    if (layer.is_first && document) layer.shown = meshlab_host::layer_ids(*document, true);
     if (layer.is_first)
-        print_ = demandPrint(mesh, view, chosen, layer, tiles);
-    else if (print_.picture && layer.widget && printedScene(mesh, view) != prints_.sceneOf(view))
+        print_ = demand_print(mesh, view, chosen, layer, tiles);
+    else if (print_.picture && layer.widget && printed_scene(mesh, view) != prints_.scene_of(view))
         layer.widget->update();  // this layer's lines have been prepared since
     if (print_.picture) {
-        drawing_.draw(layer, *print_.picture, cornerOf(camera.projection, tiles), chosen);
+        drawing_.draw(layer, *print_.picture, corner_of(camera.projection, tiles), chosen);
         return chosen.show_statistics
                    ? QString("printed drawing, %1 ms").arg(print_.milliseconds, 0, 'f', 0)
                    : QString();
@@ -342,7 +343,7 @@ QString DecorateLaplacianLines::drawLines(const MeshModel& mesh, const PreparedL
     lines->extractor->extract(eye, chosen.style, scratch_, lines_);
     clock.count(RedrawClock::Extraction);
     drawing_.draw(layer, lines_, chosen, clock);
-    if (!lines->first_redraw) lines->first_redraw = clock.ownMilliseconds();
+    if (!lines->first_redraw) lines->first_redraw = clock.own_milliseconds();
     if (!chosen.show_statistics) return {};
     glFinish();
     clock.count(RedrawClock::Drawing);
@@ -353,7 +354,7 @@ void DecorateLaplacianLines::complain(const MeshModel& mesh, const GLLogStream* 
                                       const QString& refusal) {
     QString& last = complaints_[{log, int(mesh.id())}];
     if (!refusal.isEmpty() && refusal != last)
-        say(QString("%1: %2: %3").arg(title, mesh.label(), refusal));
+        say(QString("%1: %2: %3").arg(kTitle, mesh.label(), refusal));
     last = refusal;
 }
 

@@ -25,40 +25,40 @@ public:
     DecorateLaplacianLines();
 
 protected:
-    void listParameters(RichParameterList& list) const override;
+    void list_parameters(RichParameterList& list) const override;
     bool start(MeshModel& mesh, const RichParameterList& parameters, GLArea* view) override;
     void draw(MeshModel& mesh, const RichParameterList& parameters, GLArea* view, QPainter* painter,
               GLLogStream& log) override;
     void end(MeshModel& mesh, GLArea* view) override;
-    void endAll(GLArea* view) override;
-    void meshGone(GLArea* view) override;
+    void end_all(GLArea* view) override;
+    void mesh_gone(GLArea* view) override;
 
 private:
     /// Values out of range stay as they were last time.
-    ValidParameters validParameters(const RichParameterList& parameters);
+    ValidParameters valid_parameters(const RichParameterList& parameters);
     /// Lines of the mesh's present geometry, found or prepared and assigned to the view.
-    PreparedLinesPointer demandLines(MeshModel& mesh, GLArea* view, bool needs_derivatives);
+    PreparedLinesPointer demand_lines(MeshModel& mesh, GLArea* view, bool needs_derivatives);
     /// The view's lines if they still belong to the mesh, as far as that is checked while the
     /// camera moves; else null.
-    PreparedLinesPointer currentLines(const MeshModel& mesh, GLArea* view, QPainter* painter);
+    PreparedLinesPointer current_lines(const MeshModel& mesh, GLArea* view, QPainter* painter);
     /// Returns text for the view, if any. Throws what to complain about.
-    QString drawLines(const MeshModel& mesh, const PreparedLinesPointer& lines,
-                      const DecorationParameters& chosen, GLArea* view, QPainter* painter,
-                      line_renderer::RedrawClock& clock);
+    QString draw_lines(const MeshModel& mesh, const PreparedLinesPointer& lines,
+                       const DecorationParameters& chosen, GLArea* view, QPainter* painter,
+                       line_renderer::RedrawClock& clock);
     /// All that the view shows of the mesh's document, if all of it has lines; else null.
-    std::shared_ptr<PrintedScene> printedScene(const MeshModel& mesh, GLArea* view) const;
+    std::shared_ptr<PrintedScene> printed_scene(const MeshModel& mesh, GLArea* view) const;
     /// The view as it would be printed, if that is wanted and possible.
-    std::optional<PrintedView> printedView(const MeshModel& mesh, GLArea* view,
-                                           const DecorationParameters& chosen,
-                                           const LayerInView& layer, int tiles) const;
+    std::optional<PrintedView> printed_view(const MeshModel& mesh, GLArea* view,
+                                            const DecorationParameters& chosen,
+                                            const LayerInView& layer, int tiles) const;
     /// None if there is none yet, or cannot be; the log is told why.
-    Print demandPrint(const MeshModel& mesh, GLArea* view, const DecorationParameters& chosen,
-                      const LayerInView& layer, int tiles);
+    Print demand_print(const MeshModel& mesh, GLArea* view, const DecorationParameters& chosen,
+                       const LayerInView& layer, int tiles);
     /// Logs why a mesh has no lines, once, or remembers that it has; `log` is its document's.
     void complain(const MeshModel& mesh, const GLLogStream* log, const QString& refusal);
 
     /// Says once of each layer that came after the lines of others why it has none.
-    void tellOfNewLayers(const MeshModel& mesh, GLArea* view);
+    void tell_of_new_layers(const MeshModel& mesh, GLArea* view);
     /// While the mesh and its document live and memory allows.
     void keep(const MeshModel& mesh, const PreparedLinesPointer& lines);
 

@@ -13,11 +13,11 @@ using namespace laplacian_lines::option_rows;
 using laplacian_lines::LineKind;
 using laplacian_lines::LineStyle;
 using Parameters = DecorationParameters;
-constexpr auto style = &Parameters::style;
+constexpr auto kStyle = &Parameters::style;
 
-std::vector<const char*> mixtureNames() {
+std::vector<const char*> mixture_names() {
     std::vector<const char*> names = {"As Ticked Below"};
-    for (const laplacian_lines::LineMixture& mixture : laplacian_lines::line_mixtures)
+    for (const laplacian_lines::LineMixture& mixture : laplacian_lines::kLineMixtures)
         names.push_back(mixture.label);
     return names;
 }
@@ -27,16 +27,16 @@ using Row = laplacian_lines::OptionRow<Parameters>;
 void read(const Row& row, const RichParameterList& list, const DecorationParameters& last_time,
           ValidParameters& result) {
     try {
-        meshlab_host::readParameter(row, result.as_set, list, decoration_prefix);
+        meshlab_host::read_parameter(row, result.as_set, list, kDecorationPrefix);
     } catch (const laplacian_lines::Error& error) {
         const double value = row.get(last_time);
         row.set(result.as_set, value);
         result.refused += QString("%1 Until then it stays %2.")
-                              .arg(error.what(), meshlab_host::textOf(value, row));
+                              .arg(error.what(), meshlab_host::text_of(value, row));
     }
 }
 
-Row lineColor() {
+Row line_color() {
     return {{"line_color",
              "Line Color",
              "Of all lines but those that Lines tells apart by their colors.",
@@ -49,27 +49,27 @@ Row lineColor() {
 }
 
 /// Null if the ticks count.
-const laplacian_lines::LineMixture* mixtureOf(const DecorationParameters& parameters) {
-    if (parameters.mixture == as_ticked) return nullptr;
-    return &laplacian_lines::line_mixtures.at(std::size_t(parameters.mixture - 1));
+const laplacian_lines::LineMixture* mixture_of(const DecorationParameters& parameters) {
+    if (parameters.mixture == kAsTicked) return nullptr;
+    return &laplacian_lines::kLineMixtures.at(std::size_t(parameters.mixture - 1));
 }
 
 /// Kinds that a mixture tells apart by their colors have them in any drawing style if it is the
 /// one that colors all.
-laplacian_lines::LineKindSet coloredKinds(const DecorationParameters& parameters) {
-    const laplacian_lines::LineMixture* mixture = mixtureOf(parameters);
+laplacian_lines::LineKindSet colored_kinds(const DecorationParameters& parameters) {
+    const laplacian_lines::LineMixture* mixture = mixture_of(parameters);
     if (!mixture) return {};
     const bool is_in_black = parameters.drawing_style != DrawingStyle::Custom;
     const bool colors_all = mixture->colored == laplacian_lines::kinds_with_key_color();
     return is_in_black && !colors_all ? laplacian_lines::LineKindSet() : mixture->colored;
 }
 
-line_renderer::LineLooks looksOf(const DecorationParameters& parameters) {
-    const laplacian_lines::LineKindSet colored = coloredKinds(parameters);
+line_renderer::LineLooks looks_of(const DecorationParameters& parameters) {
+    const laplacian_lines::LineKindSet colored = colored_kinds(parameters);
     constexpr double share_within =
         pen(line_drawing::LineClass::Contour) / pen(line_drawing::LineClass::Outline);
     line_renderer::LineLooks looks;
-    std::transform(laplacian_lines::line_kinds.begin(), laplacian_lines::line_kinds.end(),
+    std::transform(laplacian_lines::kLineKinds.begin(), laplacian_lines::kLineKinds.end(),
                    looks.begin(), [&](const laplacian_lines::LineKindDescription& kind) {
                        return line_renderer::LineLook{
                            colored[kind.kind] ? QColor(kind.key_color) : parameters.line_color,
@@ -79,22 +79,22 @@ line_renderer::LineLooks looksOf(const DecorationParameters& parameters) {
     return looks;
 }
 
-DecorationParameters inEffect(DecorationParameters parameters) {
-    if (const auto* mixture = mixtureOf(parameters)) parameters.style.shows = mixture->kinds;
+DecorationParameters in_effect(DecorationParameters parameters) {
+    if (const auto* mixture = mixture_of(parameters)) parameters.style.shows = mixture->kinds;
     if (parameters.drawing_style != DrawingStyle::Custom) {
         parameters.line_color = Qt::black;
         parameters.surface = SurfaceLook::Paper;
     }
-    if (parameters.drawing_style == DrawingStyle::Publication) parameters.light = at_the_eye;
+    if (parameters.drawing_style == DrawingStyle::Publication) parameters.light = kAtTheEye;
     if (parameters.drawing_style == DrawingStyle::Archaeology)
-        parameters.light = std::max(parameters.light, from_the_upper_left);
-    parameters.appearance.looks = looksOf(parameters);
+        parameters.light = std::max(parameters.light, kFromTheUpperLeft);
+    parameters.appearance.looks = looks_of(parameters);
     return parameters;
 }
 
 }  // namespace
 
-const std::vector<Row>& decorationTable() {
+const std::vector<Row>& decoration_table() {
     static const std::vector<Row> table = {
         choice<&Parameters::drawing_style>(
             "drawing_style", "Drawing Style",
@@ -103,10 +103,10 @@ const std::vector<Row>& decorationTable() {
             "eye. Archaeology: the same with the light from the upper left, or from where Light "
             "has it. Line Color and Surface count in the style Custom only."),
         choice<&Parameters::mixture>(
-            "lines", "Lines", mixtureNames(),
+            "lines", "Lines", mixture_names(),
             "The kinds ticked below, or one of the kinds of other papers with the outlines, "
             "whatever is ticked. The last has all at once, each in a color of its own."),
-        real<style, &LineStyle::detail>(
+        real<kStyle, &LineStyle::detail>(
             "detail", "Detail", 0, 100,
             "0 to 100: more or fewer lines of all kinds; 50 is the usual. At Rest they are those "
             "of finer or coarser forms as well."),
@@ -117,7 +117,7 @@ const std::vector<Row>& decorationTable() {
             "contour_width_factor", "Outline Width", 0.1, 16,
             "Of outlines, in widths of the lines inside. Contours before a "
             "farther part of the surface have 0.7 of it."),
-        lineColor(),
+        line_color(),
         choice<&Parameters::appearance, &line_renderer::LineAppearance::hidden>(
             "hidden_lines", "Hidden Lines", {"Not Drawn", "Faint", "Dashed"},
             "Those behind the surface."),
@@ -126,11 +126,11 @@ const std::vector<Row>& decorationTable() {
             "Once the view has not changed for a moment. Printed Drawing: as the filter Export "
             "Laplacian Lines Drawing draws it, with whole strokes and a pen of 0.25 mm as wide as "
             "Line Width. Where a visible layer has no lines, or is points alone, they stay live."),
-        kind_switch<LineKind::Contour, style, &LineStyle::shows>(),
-        kind_switch<LineKind::Laplacian, style, &LineStyle::shows>(),
-        kind_switch<LineKind::Ridge, style, &LineStyle::shows>(),
-        kind_switch<LineKind::Crease, style, &LineStyle::shows>(),
-        kind_switch<LineKind::Border, style, &LineStyle::shows>(),
+        kind_switch<LineKind::Contour, kStyle, &LineStyle::shows>(),
+        kind_switch<LineKind::Laplacian, kStyle, &LineStyle::shows>(),
+        kind_switch<LineKind::Ridge, kStyle, &LineStyle::shows>(),
+        kind_switch<LineKind::Crease, kStyle, &LineStyle::shows>(),
+        kind_switch<LineKind::Border, kStyle, &LineStyle::shows>(),
         choice<&Parameters::surface>(
             "surface", "Surface",
             {"As MeshLab Draws It", "Paper", "Toon", "As MeshLab Draws It, on Paper"},
@@ -148,11 +148,11 @@ const std::vector<Row>& decorationTable() {
             "In the view: the number of lines; milliseconds to find them (extraction), to hand "
             "them to OpenGL (upload), to tell it what to draw (draw calls) and of its own "
             "drawing; seconds that switching them on took."),
-        real<style, &LineStyle::gradient_threshold>(
+        real<kStyle, &LineStyle::gradient_threshold>(
             "gradient_threshold", "Gradient Threshold t", 0, 1e6,
             "Least change of the shading across a line: its gradient times the diagonal of the "
             "bounding box, without a unit. Larger leaves out lines on gentle forms."),
-        real<style, &LineStyle::strength_threshold>(
+        real<kStyle, &LineStyle::strength_threshold>(
             "strength_threshold", "Strength Threshold tau", 0, 1e6,
             "Least strength of a line: its gradient summed along its length, without a unit. "
             "Larger leaves out short and weak lines."),
@@ -160,30 +160,30 @@ const std::vector<Row>& decorationTable() {
     return table;
 }
 
-void listDecorationParameters(RichParameterList& list) {
-    for (const Row& row : decorationTable())
-        meshlab_host::addParameter(row, row.value(DecorationParameters()), list, 0,
-                                   decoration_prefix);
+void list_decoration_parameters(RichParameterList& list) {
+    for (const Row& row : decoration_table())
+        meshlab_host::add_parameter(row, row.value(DecorationParameters()), list, 0,
+                                    kDecorationPrefix);
 }
 
-std::optional<double> lightAzimuth(const DecorationParameters& parameters) {
-    if (parameters.light == at_the_eye) return std::nullopt;
-    return 315 + 45 * (parameters.light - from_the_upper_left);
+std::optional<double> light_azimuth(const DecorationParameters& parameters) {
+    if (parameters.light == kAtTheEye) return std::nullopt;
+    return 315 + 45 * (parameters.light - kFromTheUpperLeft);
 }
 
-ValidParameters readValidParameters(const RichParameterList& list,
-                                    const DecorationParameters& last_time) {
+ValidParameters read_valid_parameters(const RichParameterList& list,
+                                      const DecorationParameters& last_time) {
     ValidParameters result;
-    for (const Row& row : decorationTable())
+    for (const Row& row : decoration_table())
         read(row, list, last_time, result);
-    result.chosen = inEffect(result.as_set);
+    result.chosen = in_effect(result.as_set);
     return result;
 }
 
-meshlab_host::DrawnStyle drawnStyleOf(const DecorationParameters& parameters) {
+meshlab_host::DrawnStyle drawn_style_of(const DecorationParameters& parameters) {
     meshlab_host::DrawnStyle drawn;
     drawn.style = parameters.style;
-    drawn.light_azimuth = lightAzimuth(parameters);
+    drawn.light_azimuth = light_azimuth(parameters);
     drawn.shows_hidden = parameters.appearance.hidden != line_renderer::HiddenLines::LeftOut;
     std::transform(parameters.appearance.looks.begin(), parameters.appearance.looks.end(),
                    drawn.colors.begin(),

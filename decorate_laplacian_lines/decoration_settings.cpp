@@ -11,7 +11,7 @@ namespace {
 
 [[noreturn]] void refuse(const QString& sentence) {
     QStringList lines = {sentence + " A setting is NAME=VALUE, of these:"};
-    for (const auto& row : decorationTable())
+    for (const auto& row : decoration_table())
         lines << QString("  %1 (%2): %3")
                      .arg(row.label, row.key,
                           QString::fromStdString(laplacian_lines::allowed_values(row)));
@@ -22,38 +22,38 @@ QString command(const QString& label, const QString& value) {
     return QString("setdeco %1 = %2").arg(label, value);
 }
 
-QString settingCommand(const QString& text) {
+QString setting_command(const QString& text) {
     if (!text.contains('=')) refuse(QString("\"%1\" has no value.").arg(text));
     const QString name = text.section('=', 0, 0).trimmed();
     const QString value = text.section('=', 1).trimmed();
-    for (const auto& row : decorationTable())
+    for (const auto& row : decoration_table())
         if (!name.compare(row.label, Qt::CaseInsensitive) ||
             !name.compare(row.key, Qt::CaseInsensitive))
             return command(row.label,
-                           meshlab_host::textOf(meshlab_host::numberIn(value, row), row));
+                           meshlab_host::text_of(meshlab_host::number_in(value, row), row));
     refuse(QString("The decoration has no parameter \"%1\".").arg(name));
 }
 
 }  // namespace
 
-QString forgetOtherSettings() {
+QString forget_other_settings() {
     RichParameterList known;
-    listDecorationParameters(known);
+    list_decoration_parameters(known);
     QSettings settings;
     QStringList names;
     for (const QString& key : settings.allKeys()) {
-        if (!key.startsWith(decoration_prefix) || known.hasParameter(key)) continue;
-        names << key.mid(decoration_prefix.size());
+        if (!key.startsWith(kDecorationPrefix) || known.hasParameter(key)) continue;
+        names << key.mid(kDecorationPrefix.size());
         settings.remove(key);
     }
     return names.isEmpty() ? QString()
                            : "Settings of another version are ignored: " + names.join(", ") + '.';
 }
 
-QStringList settingCommands(const QStringList& settings) {
+QStringList setting_commands(const QStringList& settings) {
     QStringList commands;
     for (const QString& setting : settings)
-        commands << settingCommand(setting);
+        commands << setting_command(setting);
     return commands;
 }
 
@@ -62,56 +62,56 @@ namespace {
 using laplacian_lines::LineKindDescription;
 using laplacian_lines::LineKindSet;
 
-const QString all = "all";
+const QString kAll = "all";
 
 QStringList tick(const LineKindSet& kinds) {
     QStringList commands = {command("Lines", "As Ticked Below")};
-    for (const LineKindDescription& kind : laplacian_lines::line_kinds)
+    for (const LineKindDescription& kind : laplacian_lines::kLineKinds)
         if (kind.shown) commands << command(kind.label, kinds[kind.kind] ? "on" : "off");
     return commands;
 }
 
-QString labelOf(const QString& name) {
-    for (const LineKindDescription& kind : laplacian_lines::line_kinds)
+QString label_of(const QString& name) {
+    for (const LineKindDescription& kind : laplacian_lines::kLineKinds)
         if (name == kind.key) return kind.label;
     const auto* mixture = laplacian_lines::mixture_named(name.toStdString());
     return mixture ? QString(mixture->label) : name;
 }
 
-QStringList mixtureKeys() {
+QStringList mixture_keys() {
     QStringList keys;
-    for (const laplacian_lines::LineMixture& mixture : laplacian_lines::line_mixtures)
+    for (const laplacian_lines::LineMixture& mixture : laplacian_lines::kLineMixtures)
         keys << mixture.key;
     return keys;
 }
 
-bool canBeTicked(const LineKindSet& kinds) {
+bool can_be_ticked(const LineKindSet& kinds) {
     return (kinds | LineKindSet::defaults()) == LineKindSet::defaults();
 }
 
-ComparedPicture pictureOf(const QString& name) {
+ComparedPicture picture_of(const QString& name) {
     if (const auto* mixture = laplacian_lines::mixture_named(name.toStdString()))
-        return {labelOf(name), {command("Lines", mixture->label)}};
+        return {label_of(name), {command("Lines", mixture->label)}};
     const auto kinds = laplacian_lines::kinds_named(name.toStdString());
-    if (kinds && canBeTicked(*kinds)) return {labelOf(name), tick(*kinds)};
+    if (kinds && can_be_ticked(*kinds)) return {label_of(name), tick(*kinds)};
     laplacian_lines::refuse(
         QString("there is no picture of lines \"%1\". Name some of usual, %2, or all; or ridges, "
                 "creases, borders, laplacian_lines, with + between what is to be in one.")
-            .arg(name, mixtureKeys().join(", "))
+            .arg(name, mixture_keys().join(", "))
             .toStdString());
 }
 
 }  // namespace
 
-std::vector<ComparedPicture> comparedPictures(const QString& names) {
+std::vector<ComparedPicture> compared_pictures(const QString& names) {
     QStringList wanted;
     for (const QString& name : names.split(','))
-        if (name.trimmed() == all)  // each mixture but that of all kinds
-            wanted << mixtureKeys().mid(0, int(laplacian_lines::line_mixtures.size()) - 1);
+        if (name.trimmed() == kAll)  // each mixture but that of all kinds
+            wanted << mixture_keys().mid(0, int(laplacian_lines::kLineMixtures.size()) - 1);
         else
             wanted << name.trimmed();
     std::vector<ComparedPicture> pictures;
     for (const QString& name : wanted)
-        pictures.push_back(pictureOf(name));
+        pictures.push_back(picture_of(name));
     return pictures;
 }

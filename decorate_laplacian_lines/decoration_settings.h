@@ -6,12 +6,12 @@
 
 /// What to say, once, of settings that MeshLab has kept for parameters of another version: empty if
 /// there are none. They are removed.
-QString forgetOtherSettings();
+QString forget_other_settings();
 
 /// The GUI driver's commands for settings "NAME=VALUE". NAME is a parameter's label or key in any
-/// case; VALUE a color, "#202020" or a name, or what meshlab_host::valueIn() takes. Thread-safe.
+/// case; VALUE a color, "#202020" or a name, or what meshlab_host::value_in() takes. Thread-safe.
 /// @throws laplacian_lines::Error(InvalidOption) with the names or values allowed
-QStringList settingCommands(const QStringList& settings);
+QStringList setting_commands(const QStringList& settings);
 
 /// One picture of a comparison of kinds of lines.
 struct ComparedPicture {
@@ -22,4 +22,4 @@ struct ComparedPicture {
 /// @param names separated by commas: mixtures as in laplacian_lines::mixture_named(); sums of
 ///        ticked kinds, joined by +; all
 /// @throws laplacian_lines::Error(InvalidOption) that lists the names
-std::vector<ComparedPicture> comparedPictures(const QString& names);
+std::vector<ComparedPicture> compared_pictures(const QString& names);

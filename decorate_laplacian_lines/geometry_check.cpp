@@ -32,7 +32,7 @@ bool PressCount::eventFilter(QObject*, QEvent* event) {
 
 namespace {
 
-constexpr qint64 milliseconds_between_checks = 250;
+constexpr qint64 kMillisecondsBetweenChecks = 250;
 
 }  // namespace
 
@@ -41,11 +41,11 @@ GeometryCheck::GeometryCheck() : redraw_(std::make_unique<QTimer>()) {
     since_check_.start();
 }
 
-bool GeometryCheck::isDue(const Eigen::Matrix4d& modelview, unsigned presses, QWidget* widget) {
+bool GeometryCheck::is_due(const Eigen::Matrix4d& modelview, unsigned presses, QWidget* widget) {
     const bool only_moved = modelview_ && *modelview_ != modelview && presses == presses_;
     modelview_ = modelview;
     presses_ = presses;
-    const qint64 wait = milliseconds_between_checks - since_check_.elapsed();
+    const qint64 wait = kMillisecondsBetweenChecks - since_check_.elapsed();
     if (!widget || !only_moved || wait <= 0) {
         redraw_->stop();
         since_check_.start();

@@ -35,7 +35,7 @@ public:
 
     /// Whether to compare in this redraw of `widget`; if not, it is redrawn soon, unless compared
     /// before.
-    bool isDue(const Eigen::Matrix4d& modelview, unsigned presses, QWidget* widget);
+    bool is_due(const Eigen::Matrix4d& modelview, unsigned presses, QWidget* widget);
 
 private:
     std::optional<Eigen::Matrix4d> modelview_;  ///< of the last redraw

@@ -23,12 +23,13 @@ void LineCache::assign(View view, int mesh, PreparedLinesPointer lines) {
     Use& use = uses_[{view, mesh}];
     use.lines = std::move(lines);
     use.turn = turn_;
-    endTurnSoon();
+    end_turn_soon();
 }
 
-bool LineCache::isCheckDue(View view, int mesh, const Eigen::Matrix4d& modelview, QWidget* widget) {
+bool LineCache::is_check_due(View view, int mesh, const Eigen::Matrix4d& modelview,
+                             QWidget* widget) {
     const auto found = uses_.find({view, mesh});
-    return found == uses_.end() || found->second.check.isDue(modelview, presses_.value(), widget);
+    return found == uses_.end() || found->second.check.is_due(modelview, presses_.value(), widget);
 }
 
 void LineCache::release(View view, int mesh) {
@@ -36,43 +37,43 @@ void LineCache::release(View view, int mesh) {
     if (found != uses_.end()) retire(found);
 }
 
-void LineCache::releaseView(View view) {
-    retireIf(view, [](const Uses::value_type&) { return true; });
+void LineCache::release_view(View view) {
+    retire_if(view, [](const Uses::value_type&) { return true; });
 }
 
-void LineCache::releaseAllBut(View view, const std::vector<int>& alive) {
-    retireIf(view, [&](const Uses::value_type& use) {
+void LineCache::release_all_but(View view, const std::vector<int>& alive) {
+    retire_if(view, [&](const Uses::value_type& use) {
         return !std::binary_search(alive.begin(), alive.end(), use.first.second);
     });
 }
 
-void LineCache::releaseUnlessAssigned(View view) {
+void LineCache::release_unless_assigned(View view) {
     unsure_views_.insert(view);
-    endTurnSoon();
+    end_turn_soon();
 }
 
 LineCache::Uses::iterator LineCache::retire(Uses::iterator use) {
     retired_.push_back(std::move(use->second.lines));
-    endTurnSoon();
+    end_turn_soon();
     return uses_.erase(use);
 }
 
 template <class Condition>
-void LineCache::retireIf(View view, Condition condition) {
+void LineCache::retire_if(View view, Condition condition) {
     auto use = uses_.lower_bound({view, std::numeric_limits<int>::min()});
     while (use != uses_.end() && use->first.first == view)
         use = condition(*use) ? retire(use) : std::next(use);
 }
 
-void LineCache::endTurnSoon() {
+void LineCache::end_turn_soon() {
     if (turn_end_is_due_) return;
     turn_end_is_due_ = true;
-    QTimer::singleShot(0, &receiver_, [this] { endTurn(); });
+    QTimer::singleShot(0, &receiver_, [this] { end_turn(); });
 }
 
-void LineCache::endTurn() {
+void LineCache::end_turn() {
     for (View view : unsure_views_)
-        retireIf(view, [this](const Uses::value_type& use) { return use.second.turn != turn_; });
+        retire_if(view, [this](const Uses::value_type& use) { return use.second.turn != turn_; });
     unsure_views_.clear();
     retired_.clear();
     for (auto known = known_.begin(); known != known_.end();)
@@ -81,7 +82,7 @@ void LineCache::endTurn() {
     turn_end_is_due_ = false;
 }
 
-std::size_t KeptLines::usualBytes() {
+std::size_t KeptLines::usual_bytes() {
     const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
     return pages > 0 && page > 0 ? std::size_t(pages) / 4 * std::size_t(page) : 0;
 }
@@ -95,7 +96,7 @@ void KeptLines::keep(Document document, int mesh, PreparedLinesPointer lines) {
         entries_.pop_back();
 }
 
-void KeptLines::forgetAllBut(Document document, const std::vector<int>& alive) {
+void KeptLines::forget_all_but(Document document, const std::vector<int>& alive) {
     entries_.remove_if([&](const Entry& entry) {
         return entry.document == document &&
                !std::binary_search(alive.begin(), alive.end(), entry.mesh);

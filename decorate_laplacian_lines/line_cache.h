@@ -25,15 +25,15 @@ public:
     void assign(View view, int mesh, PreparedLinesPointer lines);
 
     /// Whether to compare the mesh's geometry with its lines' in this redraw of `widget`.
-    bool isCheckDue(View view, int mesh, const Eigen::Matrix4d& modelview, QWidget* widget);
+    bool is_check_due(View view, int mesh, const Eigen::Matrix4d& modelview, QWidget* widget);
 
     void release(View view, int mesh);
-    void releaseView(View view);
+    void release_view(View view);
     /// `alive` are ascending ids.
-    void releaseAllBut(View view, const std::vector<int>& alive);
+    void release_all_but(View view, const std::vector<int>& alive);
     /// An unknown mesh of the view is gone: releases those not assigned again before control
     /// returns to the event loop. MeshLab's refresh restarts all decorated meshes of a view.
-    void releaseUnlessAssigned(View view);
+    void release_unless_assigned(View view);
 
 private:
     using User = std::pair<View, int>;
@@ -46,9 +46,9 @@ private:
 
     Uses::iterator retire(Uses::iterator use);
     template <class Condition>
-    void retireIf(View view, Condition condition);
-    void endTurnSoon();
-    void endTurn();
+    void retire_if(View view, Condition condition);
+    void end_turn_soon();
+    void end_turn();
 
     Uses uses_;
     std::map<meshlab_host::FieldKey, std::weak_ptr<PreparedLines>> known_;
@@ -66,14 +66,14 @@ class KeptLines {
 public:
     using Document = const void*;  ///< a name, never followed
 
-    explicit KeptLines(std::size_t most_bytes = usualBytes()) : most_bytes_(most_bytes) {}
+    explicit KeptLines(std::size_t most_bytes = usual_bytes()) : most_bytes_(most_bytes) {}
     /// A quarter of this machine's memory.
-    static std::size_t usualBytes();
+    static std::size_t usual_bytes();
 
     /// The mesh uses these lines alone. Lines that lacked memory are not kept.
     void keep(Document document, int mesh, PreparedLinesPointer lines);
     /// `alive` are ascending ids.
-    void forgetAllBut(Document document, const std::vector<int>& alive);
+    void forget_all_but(Document document, const std::vector<int>& alive);
     /// Frees all, for those who lack memory. False if there was nothing.
     bool drop();
 

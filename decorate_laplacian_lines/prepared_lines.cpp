@@ -16,7 +16,7 @@ using laplacian_lines::TriangleMesh;
 namespace {
 
 /// What a scene takes once it has been printed, in memories of the extractor.
-constexpr std::size_t scene_share = 4;
+constexpr std::size_t kSceneShare = 4;
 
 class WaitCursor {
 public:
@@ -26,9 +26,9 @@ public:
     WaitCursor& operator=(const WaitCursor&) = delete;
 };
 
-std::size_t bytesOf(const PreparedLines& lines) {
-    std::size_t sum = lines.extractor->memory() * (lines.printable ? 1 + scene_share : 1) +
-                      line_renderer::bytesOf(*lines.surface);
+std::size_t bytes_of(const PreparedLines& lines) {
+    std::size_t sum = lines.extractor->memory() * (lines.printable ? 1 + kSceneShare : 1) +
+                      line_renderer::bytes_of(*lines.surface);
     if (lines.field)
         for (const auto& column : laplacian_lines::present_columns(*lines.field))
             sum += column.size(*lines.field) * std::size_t(column.floats) * sizeof(float);
@@ -37,20 +37,20 @@ std::size_t bytesOf(const PreparedLines& lines) {
 
 }  // namespace
 
-PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
-                                  const meshlab_host::FieldSource& source,
-                                  const std::function<void(const QString&)>& say) {
+PreparedLinesPointer prepare_lines(const CMeshO& mesh, const QString& mesh_name,
+                                   const meshlab_host::FieldSource& source,
+                                   const std::function<void(const QString&)>& say) {
     QElapsedTimer clock;
     clock.start();
     auto result = std::make_shared<PreparedLines>();
     result->key = source.key;
     try {
         const WaitCursor wait_cursor;
-        TriangleMesh triangles = meshlab_host::toTriangleMesh(mesh);
-        Field field = meshlab_host::demandField(mesh, triangles, mesh_name, source, say);
+        TriangleMesh triangles = meshlab_host::to_triangle_mesh(mesh);
+        Field field = meshlab_host::demand_field(mesh, triangles, mesh_name, source, say);
         result->diagonal = field.scale.diagonal;
         result->sight_edge = laplacian_lines::sight_edge(field);
-        result->surface = line_renderer::makeSurface(triangles, field);
+        result->surface = line_renderer::make_surface(triangles, field);
         result->extractor = std::make_shared<laplacian_lines::LineExtractor>(triangles, field);
         result->has_derivatives = field.has_derivatives();
         const bool is_in_mesh = source.status == meshlab_host::FieldStatus::Current;
@@ -61,7 +61,7 @@ PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
                 std::move(triangles), is_in_mesh ? std::optional(std::move(field)) : std::nullopt,
                 source.options, result->extractor, kernel});
         }
-        result->bytes = bytesOf(*result);
+        result->bytes = bytes_of(*result);
     } catch (const std::bad_alloc&) {
         result->failure = "There is not enough memory for the lines of this mesh.";
         result->lacked_memory = true;
@@ -72,24 +72,24 @@ PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
     return result;
 }
 
-void addDerivatives(PreparedLines& lines, const CMeshO& mesh, const QString& mesh_name,
-                    const meshlab_host::FieldSource& source,
-                    const std::function<void(const QString&)>& say) {
+void add_derivatives(PreparedLines& lines, const CMeshO& mesh, const QString& mesh_name,
+                     const meshlab_host::FieldSource& source,
+                     const std::function<void(const QString&)>& say) {
     QElapsedTimer clock;
     clock.start();
     try {
         const WaitCursor wait_cursor;
-        const TriangleMesh triangles = meshlab_host::toTriangleMesh(mesh);
+        const TriangleMesh triangles = meshlab_host::to_triangle_mesh(mesh);
         if (lines.field)
-            meshlab_host::demandDerivatives(triangles, *lines.field);
+            meshlab_host::demand_derivatives(triangles, *lines.field);
         else
-            lines.field = meshlab_host::demandField(mesh, triangles, mesh_name,
-                                                    meshlab_host::withDerivatives(source), say);
+            lines.field = meshlab_host::demand_field(mesh, triangles, mesh_name,
+                                                     meshlab_host::with_derivatives(source), say);
         lines.extractor->add_derivatives(triangles, *lines.field);
         lines.field.reset();
         lines.has_derivatives = true;
         lines.lack.clear();
-        lines.bytes = bytesOf(lines);
+        lines.bytes = bytes_of(lines);
         say(QString("Laplacian Lines: %1: computed in %2 s what the chosen kinds of lines also "
                     "need")
                 .arg(mesh_name)

@@ -36,12 +36,12 @@ using PreparedLinesPointer = std::shared_ptr<PreparedLines>;
 /// From the mesh's attributes if current, else by computing the field with the defaults, which
 /// takes seconds for a million triangles and is logged by `say`. Does not change the mesh. Throws
 /// only std::bad_alloc, at the very end.
-PreparedLinesPointer prepareLines(const CMeshO& mesh, const QString& mesh_name,
-                                  const meshlab_host::FieldSource& source,
-                                  const std::function<void(const QString&)>& say);
+PreparedLinesPointer prepare_lines(const CMeshO& mesh, const QString& mesh_name,
+                                   const meshlab_host::FieldSource& source,
+                                   const std::function<void(const QString&)>& say);
 
 /// Adds derivatives only; or says in `lack` why not and leaves the lines alone. Throws only
 /// std::bad_alloc, at the very end.
-void addDerivatives(PreparedLines& lines, const CMeshO& mesh, const QString& mesh_name,
-                    const meshlab_host::FieldSource& source,
-                    const std::function<void(const QString&)>& say);
+void add_derivatives(PreparedLines& lines, const CMeshO& mesh, const QString& mesh_name,
+                     const meshlab_host::FieldSource& source,
+                     const std::function<void(const QString&)>& say);

@@ -11,11 +11,11 @@ using laplacian_lines::Progress;
 namespace {
 
 /// Of the paper, as the drawing filter has them.
-line_drawing::SheetOptions sheetOptions(const DecorationParameters& chosen) {
+line_drawing::SheetOptions sheet_options(const DecorationParameters& chosen) {
     line_drawing::SheetOptions options;
-    options.style = line_drawing::styleOnPaper(chosen.style);
-    if (const auto azimuth = lightAzimuth(chosen))
-        options.light = meshlab_host::towardsLight(*azimuth);
+    options.style = line_drawing::style_on_paper(chosen.style);
+    if (const auto azimuth = light_azimuth(chosen))
+        options.light = meshlab_host::towards_light(*azimuth);
     if (chosen.appearance.hidden != line_renderer::HiddenLines::LeftOut)
         options.hidden = line_drawing::HiddenLines::Dashed;
     const double factor = chosen.outline_width / pen(line_drawing::LineClass::Outline);
@@ -26,9 +26,9 @@ line_drawing::SheetOptions sheetOptions(const DecorationParameters& chosen) {
 
 }  // namespace
 
-std::vector<ColoredInk> inksOf(const DecorationParameters& chosen) {
+std::vector<ColoredInk> inks_of(const DecorationParameters& chosen) {
     std::vector<ColoredInk> inks;
-    for (const auto& kind : laplacian_lines::line_kinds) {
+    for (const auto& kind : laplacian_lines::kLineKinds) {
         if (!chosen.style.shows[kind.kind]) continue;
         const QColor& color = chosen.appearance.looks[std::size_t(kind.kind)].color;
         auto own = std::find_if(inks.begin(), inks.end(),
@@ -42,7 +42,7 @@ std::vector<ColoredInk> inksOf(const DecorationParameters& chosen) {
     });
     if (chosen.appearance.hidden == line_renderer::HiddenLines::Faint) {
         QColor faint = chosen.line_color;
-        faint.setAlphaF(line_renderer::faint_alpha);
+        faint.setAlphaF(line_renderer::kFaintAlpha);
         inks.insert(inks.begin(), {{laplacian_lines::all_kinds(), true}, faint});
     }
     return inks;
@@ -50,7 +50,7 @@ std::vector<ColoredInk> inksOf(const DecorationParameters& chosen) {
 
 PrintedScene::PrintedScene(std::vector<PlacedMesh> layers)
     : layers_(std::move(layers)), to_world_(layers_.at(0).to_world) {
-    if (!meshlab_host::similarityOf(to_world_)) to_world_.setIdentity();
+    if (!meshlab_host::similarity_of(to_world_)) to_world_.setIdentity();
 }
 
 void PrintedScene::place(const Progress& progress) {
@@ -73,9 +73,9 @@ void PrintedScene::place(const Progress& progress) {
     objects_ = std::move(objects);
 }
 
-void PrintedScene::demandDerivatives(const Progress& progress) {
+void PrintedScene::demand_derivatives(const Progress& progress) {
     for (Placed& layer : placed_)
-        if (layer.field) meshlab_host::demandDerivatives(layer.mesh, *layer.field, progress);
+        if (layer.field) meshlab_host::demand_derivatives(layer.mesh, *layer.field, progress);
 }
 
 void PrintedScene::prepare(const Progress& progress) {
@@ -88,26 +88,26 @@ PrintedScene::Picture PrintedScene::paint(const line_drawing::WindowView& window
                                           const DecorationParameters& chosen, bool may_wait,
                                           const Progress& progress) {
     prepare(progress);
-    if (chosen.style.shows.needs_derivatives()) demandDerivatives(progress);
+    if (chosen.style.shows.needs_derivatives()) demand_derivatives(progress);
     std::vector<line_drawing::Ink> inks;
-    for (const ColoredInk& ink : inksOf(chosen))
+    for (const ColoredInk& ink : inks_of(chosen))
         inks.push_back(ink.ink);
     line_drawing::PaintedView painted =
-        painter_->paint(window, sheetOptions(chosen), inks, may_wait, progress);
+        painter_->paint(window, sheet_options(chosen), inks, may_wait, progress);
     return {std::make_shared<line_renderer::InkPicture>(
                 line_renderer::InkPicture{painted.size, std::move(painted.inks)}),
             painted.is_final};
 }
 
-std::optional<line_drawing::WindowView> windowOf(const Eigen::Matrix4d& to_eye,
-                                                 const Eigen::Matrix4d& projection,
-                                                 const Eigen::Vector2i& size,
-                                                 double pixels_per_mm) {
-    const std::optional<meshlab_host::Similarity> similarity = meshlab_host::similarityOf(to_eye);
+std::optional<line_drawing::WindowView> window_of(const Eigen::Matrix4d& to_eye,
+                                                  const Eigen::Matrix4d& projection,
+                                                  const Eigen::Vector2i& size,
+                                                  double pixels_per_mm) {
+    const std::optional<meshlab_host::Similarity> similarity = meshlab_host::similarity_of(to_eye);
     if (!similarity) return std::nullopt;
     const Eigen::Matrix3d& axes = similarity->rotation;
     line_drawing::ViewFrame frame{line_drawing::Side::Other, "View", axes.row(0).normalized(),
                                   axes.row(1).normalized(), axes.row(2).normalized()};
-    if (!meshlab_host::isOrthographic(projection)) frame.eye = to_eye.inverse().col(3).head<3>();
+    if (!meshlab_host::is_orthographic(projection)) frame.eye = to_eye.inverse().col(3).head<3>();
     return line_drawing::WindowView{frame, projection * to_eye, size, pixels_per_mm};
 }

@@ -33,14 +33,14 @@ struct ColoredInk {
     line_drawing::Ink ink;
     QColor color;
 };
-std::vector<ColoredInk> inksOf(const DecorationParameters& chosen);
+std::vector<ColoredInk> inks_of(const DecorationParameters& chosen);
 
 /// Layers as the drawing filter would print them together. Grows with the first picture. One thread
 /// at a time.
 class PrintedScene {
 public:
     struct Picture {
-        line_renderer::InkPicturePointer picture;  ///< in the inks of inksOf()
+        line_renderer::InkPicturePointer picture;  ///< in the inks of inks_of()
         bool is_final;                             ///< as line_drawing::PaintedView has it
     };
 
@@ -48,9 +48,9 @@ public:
 
     explicit PrintedScene(std::vector<PlacedMesh> layers);
 
-    bool isOf(const std::vector<PlacedMesh>& layers) const { return layers_ == layers; }
+    bool is_of(const std::vector<PlacedMesh>& layers) const { return layers_ == layers; }
     /// From its own coordinates, in which a window looks at it.
-    const Eigen::Matrix4d& toWorld() const { return to_world_; }
+    const Eigen::Matrix4d& to_world() const { return to_world_; }
 
     /// What every view needs, unless that is done. @throws as paint()
     void prepare(const laplacian_lines::Progress& progress);
@@ -65,7 +65,7 @@ private:
     };
 
     void place(const laplacian_lines::Progress& progress);
-    void demandDerivatives(const laplacian_lines::Progress& progress);
+    void demand_derivatives(const laplacian_lines::Progress& progress);
 
     const std::vector<PlacedMesh> layers_;
     Eigen::Matrix4d to_world_;
@@ -76,6 +76,7 @@ private:
 
 /// How a window sees a scene, or none if lengths in it depend on the direction. `pixels_per_mm` of
 /// paper.
-std::optional<line_drawing::WindowView> windowOf(const Eigen::Matrix4d& to_eye,
-                                                 const Eigen::Matrix4d& projection,
-                                                 const Eigen::Vector2i& size, double pixels_per_mm);
+std::optional<line_drawing::WindowView> window_of(const Eigen::Matrix4d& to_eye,
+                                                  const Eigen::Matrix4d& projection,
+                                                  const Eigen::Vector2i& size,
+                                                  double pixels_per_mm);

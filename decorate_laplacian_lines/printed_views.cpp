@@ -13,26 +13,26 @@
 namespace {
 
 /// From the last change until a drawing is shown, and at least until it is begun.
-constexpr int milliseconds_at_rest = 150, milliseconds_idle = 50;
-constexpr int idle_changes = 2;  // that have not come since: while it moves, nothing is begun
+constexpr int kMillisecondsAtRest = 150, kMillisecondsIdle = 50;
+constexpr int kIdleChanges = 2;  // that have not come since: while it moves, nothing is begun
 
 /// But for rounding: in floats, MeshLab computes that of a snapshot in another way.
-bool areEqual(const Eigen::Matrix4d& projection, const Eigen::Matrix4d& other) {
-    return meshlab_host::isOrthographic(projection) == meshlab_host::isOrthographic(other) &&
+bool are_equal(const Eigen::Matrix4d& projection, const Eigen::Matrix4d& other) {
+    return meshlab_host::is_orthographic(projection) == meshlab_host::is_orthographic(other) &&
            projection.topRows<2>().isApprox(other.topRows<2>(), 1e-6);
 }
 
 /// But for colors, which a picture gets when it is shown.
-bool areEqual(const DecorationParameters& chosen, const DecorationParameters& other) {
-    const auto& table = decorationTable();
+bool are_equal(const DecorationParameters& chosen, const DecorationParameters& other) {
+    const auto& table = decoration_table();
     return std::all_of(table.begin(), table.end(), [&](const auto& row) {
         return row.kind == laplacian_lines::OptionKind::Color || row.get(chosen) == row.get(other);
     });
 }
 
 /// Whether pictures of both have the same lines in the same ink.
-bool haveSameInks(const DecorationParameters& chosen, const DecorationParameters& other) {
-    const std::vector<ColoredInk> inks = inksOf(chosen), others = inksOf(other);
+bool have_same_inks(const DecorationParameters& chosen, const DecorationParameters& other) {
+    const std::vector<ColoredInk> inks = inks_of(chosen), others = inks_of(other);
     return std::equal(inks.begin(), inks.end(), others.begin(), others.end(),
                       [](const ColoredInk& a, const ColoredInk& b) {
                           return a.ink.kinds == b.ink.kinds && a.ink.is_hidden == b.ink.is_hidden;
@@ -42,15 +42,15 @@ bool haveSameInks(const DecorationParameters& chosen, const DecorationParameters
 }  // namespace
 
 bool PrintedView::operator==(const PrintedView& other) const {
-    return scene == other.scene && areEqual(chosen, other.chosen) &&
-           haveSameInks(chosen, other.chosen) && to_eye == other.to_eye &&
-           areEqual(projection, other.projection) && window.size == other.window.size &&
+    return scene == other.scene && are_equal(chosen, other.chosen) &&
+           have_same_inks(chosen, other.chosen) && to_eye == other.to_eye &&
+           are_equal(projection, other.projection) && window.size == other.window.size &&
            window.pixels_per_mm == other.window.pixels_per_mm;
 }
 
 PrintedViews::PrintedViews() {
     rest_.setSingleShot(true);
-    QObject::connect(&rest_, &QTimer::timeout, &rest_, [this] { startNext(); });
+    QObject::connect(&rest_, &QTimer::timeout, &rest_, [this] { start_next(); });
     // The thread must end before the program tears down what it uses.
     if (QCoreApplication* program = QCoreApplication::instance())
         QObject::connect(program, &QCoreApplication::aboutToQuit, &rest_, [this] {
@@ -68,16 +68,16 @@ Print PrintedViews::demand(View view, QWidget* widget, const PrintedView& wanted
     Entry& entry = place->second;
     entry.widget = widget;
     if (is_new || !(entry.wanted == wanted)) {
-        const qint64 pause = is_new ? 0 : idle_changes * entry.since_change.elapsed();
+        const qint64 pause = is_new ? 0 : kIdleChanges * entry.since_change.elapsed();
         entry.wanted = wanted;
         entry.since_change.start();
         entry.print = {};
         entry.has_failed = false;
         if (running_ && running_->view == view) running_->is_given_up = true;
         entry.is_at_rest = false;
-        rest_.start(int(std::clamp<qint64>(pause, milliseconds_idle, milliseconds_at_rest)));
+        rest_.start(int(std::clamp<qint64>(pause, kMillisecondsIdle, kMillisecondsAtRest)));
     }
-    if (waits && entry.isDue()) {
+    if (waits && entry.is_due()) {
         interrupt();
         Running now;
         now.view = view;
@@ -86,7 +86,7 @@ Print PrintedViews::demand(View view, QWidget* widget, const PrintedView& wanted
         run(now);
         keep(now);
     }
-    entry.is_at_rest |= waits || entry.since_change.elapsed() >= milliseconds_at_rest;
+    entry.is_at_rest |= waits || entry.since_change.elapsed() >= kMillisecondsAtRest;
     if (!entry.is_at_rest) return {};
     Print print = entry.print;
     entry.print.lack.clear();
@@ -98,14 +98,14 @@ void PrintedViews::forget(View view) {
     entries_.erase(view);
 }
 
-std::shared_ptr<PrintedScene> PrintedViews::sceneOf(View view) const {
+std::shared_ptr<PrintedScene> PrintedViews::scene_of(View view) const {
     const auto entry = entries_.find(view);
     return entry == entries_.end() ? nullptr : entry->second.wanted.scene;
 }
 
 void PrintedViews::interrupt() {
     stop();
-    rest_.start(milliseconds_at_rest);
+    rest_.start(kMillisecondsAtRest);
 }
 
 void PrintedViews::run(Running& running) noexcept {
@@ -130,10 +130,10 @@ void PrintedViews::run(Running& running) noexcept {
     }
 }
 
-void PrintedViews::startNext() {
+void PrintedViews::start_next() {
     if (is_stopped_ || running_) return;
     for (const auto& [view, entry] : entries_) {
-        if (!entry.isDue()) continue;
+        if (!entry.is_due()) continue;
         try {
             auto next = std::make_unique<Running>();
             next->view = view;
@@ -157,7 +157,7 @@ void PrintedViews::finish() {
     thread_.join();
     const std::unique_ptr<Running> done = std::move(running_);
     keep(*done);
-    if (!rest_.isActive()) startNext();
+    if (!rest_.isActive()) start_next();
 }
 
 void PrintedViews::stop() {
@@ -176,7 +176,7 @@ void PrintedViews::keep(const Running& done) {
     if (std::exchange(entry.told, done.print.lack) != done.print.lack)
         entry.print.lack = done.print.lack;
     if (!entry.widget || (!done.print.picture && !entry.has_failed)) return;
-    const qint64 left = milliseconds_at_rest - entry.since_change.elapsed();
+    const qint64 left = kMillisecondsAtRest - entry.since_change.elapsed();
     QTimer::singleShot(int(std::max<qint64>(left, 0)), entry.widget,
                        [widget = entry.widget.data()] { widget->update(); });
 }

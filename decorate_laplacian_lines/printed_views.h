@@ -23,7 +23,7 @@ struct PrintedView {
 };
 
 struct Print {
-    line_renderer::InkPicturePointer picture;  ///< in the inks of inksOf(); null: none
+    line_renderer::InkPicturePointer picture;  ///< in the inks of inks_of(); null: none
     bool is_final = false;                     ///< another follows, of the right kernel, if not
     double milliseconds = 0;                   ///< that it took
     QString lack;                              ///< why there is none, when that is news
@@ -47,7 +47,7 @@ public:
     Print demand(View view, QWidget* widget, const PrintedView& wanted, bool waits);
     void forget(View view);
     /// That is shown, if any.
-    std::shared_ptr<PrintedScene> sceneOf(View view) const;
+    std::shared_ptr<PrintedScene> scene_of(View view) const;
     /// What is under way ends, and begins anew when the view is at rest: scenes may be changed.
     void interrupt();
 
@@ -60,7 +60,7 @@ private:
         bool has_failed = false, is_at_rest = false;
         QString told;  ///< what the last one lacked
 
-        bool isDue() const { return !print.is_final && !has_failed; }
+        bool is_due() const { return !print.is_final && !has_failed; }
     };
     struct Running {
         View view;
@@ -71,7 +71,7 @@ private:
     };
 
     static void run(Running& running) noexcept;
-    void startNext();
+    void start_next();
     void finish();
     void stop();
     void keep(const Running& done);

@@ -13,18 +13,18 @@ using line_renderer::SurfaceDepth;
 using line_renderer::SurfaceLayer;
 using line_renderer::SurfaceStyle;
 
-bool ViewLayers::areInDepthBuffer(const Redraw& redraw) {
+bool ViewLayers::are_in_depth_buffer(const Redraw& redraw) {
     return std::all_of(redraw.layers.begin(), redraw.layers.end(),
                        [](const auto& layer) { return layer.second.layer.is_in_depth_buffer; });
 }
 
-bool ViewLayers::areInDepthBuffer(View view) const {
+bool ViewLayers::are_in_depth_buffer(View view) const {
     const auto redraw = views_.find(view);
-    return redraw != views_.end() && areInDepthBuffer(redraw->second);
+    return redraw != views_.end() && are_in_depth_buffer(redraw->second);
 }
 
 /// Removes layers that the redraw did not reach. Whether there were any.
-bool ViewLayers::dropMissing(Redraw& redraw) {
+bool ViewLayers::drop_missing(Redraw& redraw) {
     const std::size_t before = redraw.layers.size();
     for (auto layer = redraw.layers.begin(); layer != redraw.layers.end();)
         layer = layer->second.is_drawn ? std::next(layer) : redraw.layers.erase(layer);
@@ -41,12 +41,12 @@ bool ViewLayers::note(View view, QWidget* widget, int mesh, const SurfaceLayer& 
     const bool is_expected = !is_new && entry.layer == layer;
     if (!is_first && !is_expected) redraw.has_surprised = true;
     entry = {layer, true};
-    if (!end_is_due_) QTimer::singleShot(0, &receiver_, [this] { endRedraws(); });
+    if (!end_is_due_) QTimer::singleShot(0, &receiver_, [this] { end_redraws(); });
     end_is_due_ = true;
     return is_expected;
 }
 
-void ViewLayers::keepOnly(View view, const std::vector<int>& shown) {
+void ViewLayers::keep_only(View view, const std::vector<int>& shown) {
     auto& layers = views_[view].layers;
     for (auto layer = layers.begin(); layer != layers.end();)
         layer = std::binary_search(shown.begin(), shown.end(), layer->first) ? std::next(layer)
@@ -54,7 +54,7 @@ void ViewLayers::keepOnly(View view, const std::vector<int>& shown) {
 }
 
 void ViewLayers::begin(Redraw& redraw) {
-    dropMissing(redraw);
+    drop_missing(redraw);
     for (auto& layer : redraw.layers)
         layer.second.is_drawn = false;
     redraw.is_over = redraw.has_surprised = false;
@@ -71,14 +71,14 @@ void ViewLayers::forget(View view) {
     views_.erase(view);
 }
 
-void ViewLayers::endRedraws() {
+void ViewLayers::end_redraws() {
     end_is_due_ = false;
     for (auto& view : views_) {
         Redraw& redraw = view.second;
         if (redraw.is_over) continue;
         redraw.is_over = true;
-        const bool matters = !areInDepthBuffer(redraw);
-        const bool was_wrong = dropMissing(redraw) || redraw.has_surprised;
+        const bool matters = !are_in_depth_buffer(redraw);
+        const bool was_wrong = drop_missing(redraw) || redraw.has_surprised;
         if (was_wrong && matters && redraw.widget) redraw.widget->update();
     }
 }
@@ -99,7 +99,7 @@ void ViewDrawing::draw(const LayerInView& layer, const line_renderer::InkPicture
     prepare(layer, false, chosen);
     if (!layer.is_first) return;
     std::vector<QColor> colors;
-    for (const ColoredInk& ink : inksOf(chosen))
+    for (const ColoredInk& ink : inks_of(chosen))
         colors.push_back(ink.color);
     pictures_.paint(lines, colors, corner);
 }
@@ -111,9 +111,9 @@ void ViewDrawing::forget(ViewLayers::View view) {
 DepthTexture ViewDrawing::prepare(const LayerInView& layer, bool has_lines,
                                   const DecorationParameters& chosen) {
     if (layer.is_first) {
-        layers_.keepOnly(layer.view, layer.shown);
-        depth_.forgetDepthBuffer();
-        if (chosen.surface != SurfaceLook::AsMeshLabDrawsIt) surfaces_.paintBackground();
+        layers_.keep_only(layer.view, layer.shown);
+        depth_.forget_depth_buffer();
+        if (chosen.surface != SurfaceLook::AsMeshLabDrawsIt) surfaces_.paint_background();
     }
     const bool is_expected =
         layers_.note(layer.view, layer.widget, layer.mesh, layer.surface, layer.is_first);
@@ -127,7 +127,7 @@ DepthTexture ViewDrawing::prepare(const LayerInView& layer, bool has_lines,
 }
 
 DepthTexture ViewDrawing::depths(ViewLayers::View view) {
-    if (layers_.areInDepthBuffer(view) && SurfaceDepth::canCopy()) return depth_.copy();
+    if (layers_.are_in_depth_buffer(view) && SurfaceDepth::can_copy()) return depth_.copy();
     return depth_.update(layers_.of(view), buffers_);
 }
 

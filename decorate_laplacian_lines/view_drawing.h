@@ -26,11 +26,11 @@ public:
     bool note(View view, QWidget* widget, int mesh, const line_renderer::SurfaceLayer& layer,
               bool is_first);
     /// Only these layers, ascending, are still there and shown.
-    void keepOnly(View view, const std::vector<int>& shown);
+    void keep_only(View view, const std::vector<int>& shown);
     /// As far as they are known. Valid until the next call.
     const std::vector<line_renderer::SurfaceLayer>& of(View view);
     /// Whether the depth buffer has the faces of all layers, and nothing else of them.
-    bool areInDepthBuffer(View view) const;
+    bool are_in_depth_buffer(View view) const;
     void forget(View view);
 
 private:
@@ -45,11 +45,11 @@ private:
         bool has_surprised = false;  ///< a layer was other than expected, after lines were drawn
     };
 
-    static bool areInDepthBuffer(const Redraw& redraw);
-    static bool dropMissing(Redraw& redraw);
+    static bool are_in_depth_buffer(const Redraw& redraw);
+    static bool drop_missing(Redraw& redraw);
     static void begin(Redraw& redraw);
 
-    void endRedraws();
+    void end_redraws();
 
     std::map<View, Redraw> views_;
     std::vector<line_renderer::SurfaceLayer> listed_;
@@ -77,7 +77,7 @@ public:
     /// @throws std::runtime_error if OpenGL cannot do it
     void draw(const LayerInView& layer, const laplacian_lines::LineSet& lines,
               const DecorationParameters& chosen, line_renderer::RedrawClock& clock);
-    /// The same where the lines of all layers are a picture already, in the inks of inksOf(), of
+    /// The same where the lines of all layers are a picture already, in the inks of inks_of(), of
     /// which the view shows what begins at `corner`.
     /// @throws std::runtime_error if OpenGL cannot do it
     void draw(const LayerInView& layer, const line_renderer::InkPicture& lines,

@@ -5,7 +5,7 @@
 
 /// Whether this is the first call in a view's redraw; `painter` remembers the call. Without a
 /// painter each call is the first.
-inline bool beginsRedraw(QPainter* painter) {
+inline bool begins_redraw(QPainter* painter) {
     if (!painter) return true;
     // Each redraw has its own painter; nothing draws with its background brush or gives it this
     // pattern.

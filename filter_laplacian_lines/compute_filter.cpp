@@ -23,7 +23,7 @@ using laplacian_lines::PrecomputeOptions;
 namespace {
 
 /// Of the core's table. The others keep their defaults here.
-std::vector<laplacian_lines::OptionRow<PrecomputeOptions>> makeTable() {
+std::vector<laplacian_lines::OptionRow<PrecomputeOptions>> make_table() {
     std::vector<laplacian_lines::OptionRow<PrecomputeOptions>> rows;
     for (const std::string key :
          {"kernel_size", "kernel_mode", "normal_smoothing", "normal_sigma", "bilateral_angle",
@@ -33,8 +33,8 @@ std::vector<laplacian_lines::OptionRow<PrecomputeOptions>> makeTable() {
     return rows;
 }
 
-const auto& optionTable() {
-    static const auto table = makeTable();
+const auto& option_table() {
+    static const auto table = make_table();
     return table;
 }
 
@@ -43,13 +43,13 @@ const auto& optionTable() {
 void store(MeshDocument& document, int mesh_id, const meshlab_host::GeometryStamp& stamp,
            const Field& field, const PrecomputeOptions& options) {
     MeshModel* mesh = document.getMesh(mesh_id);
-    if (!mesh || meshlab_host::geometryStamp(mesh->cm) != stamp)
+    if (!mesh || meshlab_host::geometry_stamp(mesh->cm) != stamp)
         throw Error(ErrorCode::FieldMismatch,
                     "The mesh changed while its lines were being computed. Run the filter again.");
-    meshlab_host::writeField(mesh->cm, field, options, stamp);
+    meshlab_host::write_field(mesh->cm, field, options, stamp);
 }
 
-QString meshLine(const MeshReport& report) {
+QString mesh_line(const MeshReport& report) {
     return QString("Laplacian lines: %1 vertices, %2 triangles")
         .arg(report.vertices)
         .arg(report.triangles);
@@ -60,7 +60,7 @@ QString counted(std::size_t count, const char* one, const char* several) {
 }
 
 /// Empty if all was used.
-QString leftOutLine(const MeshReport& report) {
+QString left_out_line(const MeshReport& report) {
     QStringList parts;
     if (report.non_finite_vertices)
         parts << counted(report.non_finite_vertices, "vertex with non-finite coordinates",
@@ -74,7 +74,7 @@ QString leftOutLine(const MeshReport& report) {
     return parts.isEmpty() ? QString() : "Left out: " + parts.join(", ");
 }
 
-QString weldedLine(const MeshReport& report) {
+QString welded_line(const MeshReport& report) {
     return report.welded_vertices
                ? "Cuts closed: " + counted(report.welded_vertices,
                                            "duplicate vertex treated as one with another",
@@ -82,7 +82,7 @@ QString weldedLine(const MeshReport& report) {
                : QString();
 }
 
-QString undoneLine(const MeshReport& report) {
+QString undone_line(const MeshReport& report) {
     const int times = report.undone_subdivisions;
     return times ? QString(
                        "Subdivision undone: field and lines are those of the %1 triangles "
@@ -92,7 +92,7 @@ QString undoneLine(const MeshReport& report) {
                  : QString();
 }
 
-QString kernelLine(const FieldScale& scale) {
+QString kernel_line(const FieldScale& scale) {
     return QString(
                "Kernel size %1 in mesh units = %2 mean edges = %3 % of the bounding-box diagonal")
         .arg(scale.kernel_size, 0, 'g', 5)
@@ -100,7 +100,7 @@ QString kernelLine(const FieldScale& scale) {
         .arg(100 * scale.kernel_size / scale.diagonal, 0, 'f', 2);
 }
 
-QString smoothingLine(const Field& field, const PrecomputeOptions& options) {
+QString smoothing_line(const Field& field, const PrecomputeOptions& options) {
     const double sigma = field.scale.normal_sigma / field.scale.mean_edge;
     const bool is_automatic = options.normal_sigma == 0 &&
                               options.normal_smoothing != laplacian_lines::NormalSmoothing::None;
@@ -111,7 +111,7 @@ QString smoothingLine(const Field& field, const PrecomputeOptions& options) {
 }
 
 /// "Laplace Operator: Heat Kernel (Belkin), Normal Smoothing: Gaussian, ..."
-QString choicesLine(const PrecomputeOptions& options) {
+QString choices_line(const PrecomputeOptions& options) {
     QStringList parts;
     for (const auto& row : laplacian_lines::precompute_option_table())
         if (row.kind == laplacian_lines::OptionKind::Choice)
@@ -120,43 +120,43 @@ QString choicesLine(const PrecomputeOptions& options) {
 }
 
 /// "None were left out" is not said.
-QStringList computeReport(const Field& field, const PrecomputeOptions& options, double seconds) {
-    QStringList lines{meshLine(field.report),   leftOutLine(field.report),
-                      weldedLine(field.report), undoneLine(field.report),
-                      kernelLine(field.scale),  smoothingLine(field, options),
-                      choicesLine(options)};
+QStringList compute_report(const Field& field, const PrecomputeOptions& options, double seconds) {
+    QStringList lines{mesh_line(field.report),   left_out_line(field.report),
+                      welded_line(field.report), undone_line(field.report),
+                      kernel_line(field.scale),  smoothing_line(field, options),
+                      choices_line(options)};
     lines << QString("Computed in %1 s, stored per vertex in %2")
                  .arg(seconds, 0, 'f', 2)
-                 .arg(meshlab_host::fieldAttributeNames(field));
+                 .arg(meshlab_host::field_attribute_names(field));
     lines.removeAll(QString());
-    return lines + meshlab_host::meshAdvice(field.report);
+    return lines + meshlab_host::mesh_advice(field.report);
 }
 
-void listParameters(const MeshModel* mesh, RichParameterList& list) {
+void list_parameters(const MeshModel* mesh, RichParameterList& list) {
     const double diagonal = mesh ? double(mesh->cm.bbox.Diag()) : 0;
-    for (const auto& row : optionTable())
-        meshlab_host::addParameter(row, row.value(PrecomputeOptions()), list, diagonal);
+    for (const auto& row : option_table())
+        meshlab_host::add_parameter(row, row.value(PrecomputeOptions()), list, diagonal);
 }
 
 void run(const meshlab_host::FilterRun& run) {
     QElapsedTimer clock;
     clock.start();
     PrecomputeOptions options;
-    for (const auto& row : optionTable())
-        meshlab_host::readParameter(row, options, run.parameters);
+    for (const auto& row : option_table())
+        meshlab_host::read_parameter(row, options, run.parameters);
     const CMeshO& mesh = run.document.mm()->cm;
     const int mesh_id = run.document.mm()->id();
-    const meshlab_host::GeometryStamp stamp = meshlab_host::geometryStamp(mesh);
-    const Field field = laplacian_lines::precompute(meshlab_host::toTriangleMesh(mesh), options,
-                                                    meshlab_host::progressTo(run.progress));
+    const meshlab_host::GeometryStamp stamp = meshlab_host::geometry_stamp(mesh);
+    const Field field = laplacian_lines::precompute(meshlab_host::to_triangle_mesh(mesh), options,
+                                                    meshlab_host::progress_to(run.progress));
     store(run.document, mesh_id, stamp, field, options);
-    for (const QString& line : computeReport(field, options, 1e-3 * double(clock.elapsed())))
+    for (const QString& line : compute_report(field, options, 1e-3 * double(clock.elapsed())))
         run.say(line);
 }
 
 }  // namespace
 
-meshlab_host::Filter computeFilter() {
+meshlab_host::Filter compute_filter() {
     return {
         {"Compute Laplacian Lines", "compute_laplacian_lines_per_vertex",
          QStringLiteral(
@@ -168,6 +168,6 @@ meshlab_host::Filter computeFilter() {
              laplacian_lines::version() + '.',
          meshlab_host::FilterInterface::Normal | meshlab_host::FilterInterface::Quality,
          MeshModel::MM_FACENUMBER},
-        listParameters,
+        list_parameters,
         run};
 }

@@ -8,38 +8,38 @@
 #include "meshlab_host/current_view.h"
 #include "meshlab_host/meshlab_api.h"
 
-/// The user's choices; the filter has a part of line_drawing::sheetOptionTable().
+/// The user's choices; the filter has a part of line_drawing::sheet_option_table().
 using DrawingParameters = line_drawing::SheetChoices;
 
 /// The likely unit of a mesh of this size: scanners measure in mm what is larger than a bead,
 /// photogrammetry and phones in m what is smaller than a house; nothing tells cm and inches.
-constexpr int likelyUnit(double diagonal) {
+constexpr int likely_unit(double diagonal) {
     constexpr int millimetre = 0, metre = 2;
     return diagonal < 10 ? metre : millimetre;
 }
 
-inline QString inQt(const std::string& text) {
+inline QString in_qt(const std::string& text) {
     return QString::fromStdString(text);
 }
 
 /// The file is beside the mesh's; with a window its view and the likely unit. Scripts have the same
 /// everywhere.
-DrawingParameters drawingDefaults(const MeshModel* mesh, bool has_window);
+DrawingParameters drawing_defaults(const MeshModel* mesh, bool has_window);
 
-void listDrawingParameters(const DrawingParameters& defaults, RichParameterList& list);
+void list_drawing_parameters(const DrawingParameters& defaults, RichParameterList& list);
 
 /// @throws laplacian_lines::Error(InvalidOption) that names a parameter out of range
-DrawingParameters readDrawingParameters(const RichParameterList& list);
+DrawingParameters read_drawing_parameters(const RichParameterList& list);
 
 // Places in the file's name that differ from mesh to mesh: {folder} and {name}.
 
-std::string fileFor(const MeshModel& mesh, const std::string& file);
+std::string file_for(const MeshModel& mesh, const std::string& file);
 /// For scripts: with these places, and with the window's view in words.
-DrawingParameters forAnyMesh(DrawingParameters chosen, const MeshModel& mesh,
-                             const meshlab_host::CurrentView& window);
+DrawingParameters for_any_mesh(DrawingParameters chosen, const MeshModel& mesh,
+                               const meshlab_host::CurrentView& window);
 
 /// Views are in world coordinates, `window` is the window's current one.
 /// @throws laplacian_lines::Error(InvalidOption) with what is understood, also if there is no view
 /// of a window or decoration to follow
-line_drawing::SheetOptions sheetOptions(const DrawingParameters& chosen,
-                                        const std::optional<meshlab_host::CurrentView>& window);
+line_drawing::SheetOptions sheet_options(const DrawingParameters& chosen,
+                                         const std::optional<meshlab_host::CurrentView>& window);

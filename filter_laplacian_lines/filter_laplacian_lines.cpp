@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filters.h"
 
-meshlab_host::FilterList makeFilters() {
-    return {computeFilter(), polylineFilter(), drawingFilter()};
+meshlab_host::FilterList make_filters() {
+    return {compute_filter(), polyline_filter(), drawing_filter()};
 }
 
 class FilterLaplacianLines : public meshlab_host::FilterPluginBase {
@@ -11,7 +11,7 @@ class FilterLaplacianLines : public meshlab_host::FilterPluginBase {
     Q_INTERFACES(MESHLAB_HOST_FILTER_INTERFACE)
 
 public:
-    FilterLaplacianLines() : FilterPluginBase("FilterLaplacianLines", makeFilters()) {}
+    FilterLaplacianLines() : FilterPluginBase("FilterLaplacianLines", make_filters()) {}
 };
 
 MESHLAB_PLUGIN_NAME_EXPORTER(FilterLaplacianLines)

@@ -6,13 +6,13 @@
 // Descriptions in dialogs are short: these have to fit small screens, and not all scroll.
 
 /// laplacian_lines::precompute(): parameters in, per-vertex attributes out.
-meshlab_host::Filter computeFilter();
+meshlab_host::Filter compute_filter();
 
 /// The lines of a mesh from one view, as a layer of polylines.
-meshlab_host::Filter polylineFilter();
+meshlab_host::Filter polyline_filter();
 
 /// A measured drawing, as a file, of a layer as it stands in the world.
-meshlab_host::Filter drawingFilter();
+meshlab_host::Filter drawing_filter();
 
 /// All, in the order of the plugin's actions.
-meshlab_host::FilterList makeFilters();
+meshlab_host::FilterList make_filters();

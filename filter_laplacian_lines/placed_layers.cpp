@@ -17,14 +17,14 @@ using meshlab_host::FilterRun;
 
 namespace {
 
-PlacedLayer placeInWorld(const MeshModel& layer, const FilterRun& run, const Progress& progress) {
-    const Eigen::Matrix4d transform = meshlab_host::layerTransform(layer.cm);
-    const meshlab_host::FieldSource source = meshlab_host::fieldSource(layer.cm);
-    PlacedLayer result{layer.label(), meshlab_host::toTriangleMesh(layer.cm), {}};
+PlacedLayer place_in_world(const MeshModel& layer, const FilterRun& run, const Progress& progress) {
+    const Eigen::Matrix4d transform = meshlab_host::layer_transform(layer.cm);
+    const meshlab_host::FieldSource source = meshlab_host::field_source(layer.cm);
+    PlacedLayer result{layer.label(), meshlab_host::to_triangle_mesh(layer.cm), {}};
     if (source.status == meshlab_host::FieldStatus::Current) {
-        result.field = meshlab_host::demandField(layer.cm, result.mesh, result.name, source,
-                                                 run.say, progress);
-        if (!meshlab_host::similarityOf(transform))
+        result.field = meshlab_host::demand_field(layer.cm, result.mesh, result.name, source,
+                                                  run.say, progress);
+        if (!meshlab_host::similarity_of(transform))
             run.say(
                 "The layer's transformation stretches it: its lines are recomputed as it stands.");
     }
@@ -34,8 +34,8 @@ PlacedLayer placeInWorld(const MeshModel& layer, const FilterRun& run, const Pro
     return result;
 }
 
-void placeAllVisible(const FilterRun& run, double share, PlacedLayers& placed) {
-    const std::vector<int> ids = meshlab_host::layerIds(run.document, true);
+void place_all_visible(const FilterRun& run, double share, PlacedLayers& placed) {
+    const std::vector<int> ids = meshlab_host::layer_ids(run.document, true);
     const double step = share / std::max<double>(1, double(ids.size()));
     for (std::size_t i = 0; i < ids.size(); ++i) {
         const MeshModel* layer = run.document.getMesh(ids[i]);  // may have gone meanwhile
@@ -47,8 +47,8 @@ void placeAllVisible(const FilterRun& run, double share, PlacedLayers& placed) {
         }
         const double begin = step * double(i);
         try {
-            placed.push_back(placeInWorld(
-                *layer, run, meshlab_host::progressTo(run.progress, begin, begin + step)));
+            placed.push_back(place_in_world(
+                *layer, run, meshlab_host::progress_to(run.progress, begin, begin + step)));
         } catch (const Error& error) {
             if (error.code() == ErrorCode::Cancelled) throw;
             run.say(QString("%1 is left out of the drawing: %2").arg(name, error.what()));
@@ -62,29 +62,29 @@ void placeAllVisible(const FilterRun& run, double share, PlacedLayers& placed) {
 
 }  // namespace
 
-PlacedLayers placeLayers(const LayerChoice& choice, const FilterRun& run, double share) {
+PlacedLayers place_layers(const LayerChoice& choice, const FilterRun& run, double share) {
     constexpr double field_part = 0.9;
     PlacedLayers placed;
     if (choice.all_visible)
-        placeAllVisible(run, field_part * share, placed);
+        place_all_visible(run, field_part * share, placed);
     else
         placed.push_back(
-            placeInWorld(*run.document.mm(), run,
-                         meshlab_host::progressTo(run.progress, 0, field_part * share)));
+            place_in_world(*run.document.mm(), run,
+                           meshlab_host::progress_to(run.progress, 0, field_part * share)));
     if (!choice.derivatives) return placed;
     double begin = field_part * share;
     const double step = (share - begin) / double(placed.size());
     for (PlacedLayer& layer : placed) {
         if (layer.field)
-            meshlab_host::demandDerivatives(
+            meshlab_host::demand_derivatives(
                 layer.mesh, *layer.field,
-                meshlab_host::progressTo(run.progress, begin, begin + step));
+                meshlab_host::progress_to(run.progress, begin, begin + step));
         begin += step;
     }
     return placed;
 }
 
-line_drawing::Objects objectsOf(const PlacedLayers& layers) {
+line_drawing::Objects objects_of(const PlacedLayers& layers) {
     line_drawing::Objects objects;
     for (const PlacedLayer& layer : layers)
         objects.push_back(
@@ -92,7 +92,7 @@ line_drawing::Objects objectsOf(const PlacedLayers& layers) {
     return objects;
 }
 
-QString namesOf(const PlacedLayers& layers) {
+QString names_of(const PlacedLayers& layers) {
     QStringList names;
     for (const PlacedLayer& layer : layers)
         names << layer.name;

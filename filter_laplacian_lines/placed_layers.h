@@ -27,9 +27,9 @@ struct LayerChoice {
 /// The layers to draw, in the document's order, with their fields, by `share` of all work. Skips
 /// visible layers that have no faces or cannot be drawn; the log says why.
 /// @throws laplacian_lines::Error if none is left, Cancelled
-PlacedLayers placeLayers(const LayerChoice& choice, const meshlab_host::FilterRun& run,
-                         double share);
+PlacedLayers place_layers(const LayerChoice& choice, const meshlab_host::FilterRun& run,
+                          double share);
 
-line_drawing::Objects objectsOf(const PlacedLayers& layers);
+line_drawing::Objects objects_of(const PlacedLayers& layers);
 /// "a.ply, b.ply"
-QString namesOf(const PlacedLayers& layers);
+QString names_of(const PlacedLayers& layers);

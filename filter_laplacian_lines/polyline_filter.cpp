@@ -30,19 +30,19 @@ using laplacian_lines::View;
 
 namespace {
 
-const char* const filter_name = "Generate Laplacian Lines Polylines";
+const char* const kFilterName = "Generate Laplacian Lines Polylines";
 
 // Progress at the end of each step; of a drawing's strokes, and of all lines.
-constexpr double placed_share = 0.05, strokes_share = 0.95;
-constexpr double field_share = 0.7, sight_share = 0.8, extractor_share = 0.95;
+constexpr double kPlacedShare = 0.05, kStrokesShare = 0.95;
+constexpr double kFieldShare = 0.7, kSightShare = 0.8, kExtractorShare = 0.95;
 
 /// Copied from the layer, which may go while the progress bar runs the event loop.
 struct Source {
     explicit Source(const MeshModel& mesh)
-        : triangles(meshlab_host::toTriangleMesh(mesh.cm)),
+        : triangles(meshlab_host::to_triangle_mesh(mesh.cm)),
           name(mesh.label()),
           transform(mesh.cm.Tr),
-          layer(meshlab_host::layerTransform(mesh.cm)) {}
+          layer(meshlab_host::layer_transform(mesh.cm)) {}
 
     laplacian_lines::TriangleMesh triangles;
     QString name;
@@ -51,9 +51,9 @@ struct Source {
 };
 
 /// Triangles to far vertices are slivers without lines, but would hide all others by rounding.
-void refuseFarVertices(const Source& source) {
+void refuse_far_vertices(const Source& source) {
     constexpr double most = 1e6;  // diagonals of what has lines
-    const double all = line_drawing::boundsOf(source.triangles).diagonal().stableNorm();
+    const double all = line_drawing::bounds_of(source.triangles).diagonal().stableNorm();
     const double drawn = laplacian_lines::measure_scale(source.triangles, {}).diagonal;
     if (!(all > most * drawn)) return;
     throw Error(
@@ -66,9 +66,9 @@ void refuseFarVertices(const Source& source) {
 }
 
 /// Of the layer in its own coordinates.
-LineSet lineSetOf(const std::vector<laplacian_lines::SightLine>& lines, const Source& source) {
+LineSet line_set_of(const std::vector<laplacian_lines::SightLine>& lines, const Source& source) {
     LineSet set;
-    set.origin = line_drawing::boundsOf(source.triangles).center();
+    set.origin = line_drawing::bounds_of(source.triangles).center();
     const Eigen::Affine3d to_layer(source.layer.inverse());
     for (const laplacian_lines::SightLine& line : lines) {
         laplacian_lines::Polyline polyline;
@@ -89,113 +89,113 @@ LineSet lineSetOf(const std::vector<laplacian_lines::SightLine>& lines, const So
 /// The strokes of a drawing, with the kernel that it would have.
 LineSet strokes(const Source& source, const line_drawing::ViewFrame& frame,
                 const PolylineParameters& chosen, const meshlab_host::FilterRun& run) {
-    refuseFarVertices(source);
+    refuse_far_vertices(source);
     line_drawing::SheetOptions options;
-    options.style = line_drawing::styleOnPaper(chosen.style);
-    if (chosen.light_azimuth) options.light = meshlab_host::towardsLight(*chosen.light_azimuth);
+    options.style = line_drawing::style_on_paper(chosen.style);
+    if (chosen.light_azimuth) options.light = meshlab_host::towards_light(*chosen.light_azimuth);
     const PlacedLayers placed =
-        placeLayers({false, options.style.shows.needs_derivatives()}, run, placed_share);
-    return lineSetOf(line_drawing::strokesOf(
-                         objectsOf(placed), frame, options,
-                         meshlab_host::progressTo(run.progress, placed_share, strokes_share)),
-                     source);
+        place_layers({false, options.style.shows.needs_derivatives()}, run, kPlacedShare);
+    return line_set_of(line_drawing::strokes_of(
+                           objects_of(placed), frame, options,
+                           meshlab_host::progress_to(run.progress, kPlacedShare, kStrokesShare)),
+                       source);
 }
 
 /// Also those that the surface hides.
-LineSet allLines(const Source& source, const View& view, const PolylineParameters& chosen,
-                 const meshlab_host::FilterRun& run) {
+LineSet all_lines(const Source& source, const View& view, const PolylineParameters& chosen,
+                  const meshlab_host::FilterRun& run) {
     const CMeshO& mesh = run.document.mm()->cm;
-    meshlab_host::FieldSource field_source = meshlab_host::fieldSource(mesh);
+    meshlab_host::FieldSource field_source = meshlab_host::field_source(mesh);
     if (chosen.style.shows.needs_derivatives())
-        field_source = meshlab_host::withDerivatives(std::move(field_source));
+        field_source = meshlab_host::with_derivatives(std::move(field_source));
     const laplacian_lines::Field field =
-        meshlab_host::demandField(mesh, source.triangles, source.name, field_source, run.say,
-                                  meshlab_host::progressTo(run.progress, 0, field_share));
-    refuseFarVertices(source);
+        meshlab_host::demand_field(mesh, source.triangles, source.name, field_source, run.say,
+                                   meshlab_host::progress_to(run.progress, 0, kFieldShare));
+    refuse_far_vertices(source);
     if (view.w != 0 &&
         laplacian_lines::LineVisibility(
-            source.triangles, meshlab_host::progressTo(run.progress, field_share, sight_share))
+            source.triangles, meshlab_host::progress_to(run.progress, kFieldShare, kSightShare))
             .encloses(view.eye / view.w))
         laplacian_lines::refuse(
             "The viewpoint is inside the surface. Move it outside, or choose an "
             "orthographic view.");
     const laplacian_lines::LineExtractor extractor(
         source.triangles, field,
-        meshlab_host::progressTo(run.progress, sight_share, extractor_share));
+        meshlab_host::progress_to(run.progress, kSightShare, kExtractorShare));
     laplacian_lines::ExtractionScratch scratch;
     LineSet lines;
     extractor.extract(view, chosen.style, scratch, lines);
     return lines;
 }
 
-void addLayer(const LineSet& lines, const Source& source, const meshlab_host::KindColors& colors,
-              MeshDocument& document) {
+void add_layer(const LineSet& lines, const Source& source, const meshlab_host::KindColors& colors,
+               MeshDocument& document) {
     const QString name = QFileInfo(source.name).completeBaseName() + "_laplacian_lines";
     MeshModel* layer = document.addNewMesh("", name);
     layer->updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);
-    meshlab_host::toEdgeMesh(lines, layer->cm);
-    meshlab_host::setColors(lines, colors, layer->cm);
-    meshlab_host::setNormals(source.triangles, layer->cm);
+    meshlab_host::to_edge_mesh(lines, layer->cm);
+    meshlab_host::set_colors(lines, colors, layer->cm);
+    meshlab_host::set_normals(source.triangles, layer->cm);
     layer->cm.Tr = source.transform;
-    meshlab_host::showAsLines(document, layer->id());
+    meshlab_host::show_as_lines(document, layer->id());
 }
 
 /// "12 Laplacian lines, 1 ridge", without kinds that have none.
-QString kindsInWords(const LineSet& lines) {
-    std::array<std::size_t, laplacian_lines::line_kind_count> counts{};
+QString kinds_in_words(const LineSet& lines) {
+    std::array<std::size_t, laplacian_lines::kLineKindCount> counts{};
     for (const auto& line : lines.lines)
         ++counts.at(std::size_t(line.kind));
     QStringList parts;
-    for (const auto& kind : laplacian_lines::line_kinds)
+    for (const auto& kind : laplacian_lines::kLineKinds)
         if (const std::size_t count = counts[std::size_t(kind.kind)])
             parts << QString("%1 %2").arg(count).arg(count == 1 ? kind.one : kind.many);
     return parts.join(", ");
 }
 
 /// From where it was seen, for scripts.
-void recordView(const meshlab_host::FilterRun& run, PolylineParameters seen,
-                const line_drawing::ViewFrame& frame) {
+void record_view(const meshlab_host::FilterRun& run, PolylineParameters seen,
+                 const line_drawing::ViewFrame& frame) {
     seen.view = frame.eye ? ViewChoice::Perspective : ViewChoice::Orthographic;
     (frame.eye ? seen.viewpoint : seen.view_direction) = frame.eye.value_or(frame.towards_viewer);
     RichParameterList recorded;
-    listPolylineParameters(seen, recorded);
-    meshlab_host::recordAs(filter_name, recorded, run.document);
+    list_polyline_parameters(seen, recorded);
+    meshlab_host::record_as(kFilterName, recorded, run.document);
 }
 
-void listParameters(const MeshModel* mesh, RichParameterList& list) {
-    listPolylineParameters(polylineDefaults(mesh, meshlab_host::currentView()), list);
+void list_parameters(const MeshModel* mesh, RichParameterList& list) {
+    list_polyline_parameters(polyline_defaults(mesh, meshlab_host::current_view()), list);
 }
 
 void run(const meshlab_host::FilterRun& run) {
-    const PolylineParameters chosen = readPolylineParameters(run.parameters);
+    const PolylineParameters chosen = read_polyline_parameters(run.parameters);
     const MeshModel& mesh = *run.document.mm();
     const Source source(mesh);
-    Eigen::AlignedBox3d box = line_drawing::boundsOf(source.triangles);
+    Eigen::AlignedBox3d box = line_drawing::bounds_of(source.triangles);
     if (!box.isEmpty()) box.transform(Eigen::Affine3d(source.layer));
-    const auto frame = frameOf(chosen, box.center(), meshlab_host::currentView());
-    const View view = viewOf(frame, chosen, source.layer);
+    const auto frame = frame_of(chosen, box.center(), meshlab_host::current_view());
+    const View view = view_of(frame, chosen, source.layer);
     const LineSet lines = chosen.visible_only ? strokes(source, frame, chosen, run)
-                                              : allLines(source, view, chosen, run);
+                                              : all_lines(source, view, chosen, run);
     if (lines.lines.empty())
         laplacian_lines::refuse(
             "No lines are seen from there, so no layer was created. Take another view, "
             "more \"Detail\", or other \"Settings\".");
-    meshlab_host::beginStep(run.progress, 1, "Adding a layer");
-    addLayer(lines, source, chosen.colors, run.document);
+    meshlab_host::begin_step(run.progress, 1, "Adding a layer");
+    add_layer(lines, source, chosen.colors, run.document);
     run.say(QString("Lines of %1: %2, %3 segments; %4")
-                .arg(source.name, kindsInWords(lines), QString::number(lines.segment_count()),
-                     inWords(frame, chosen)));
-    const QString warning = nearnessWarning(frame, box);
+                .arg(source.name, kinds_in_words(lines), QString::number(lines.segment_count()),
+                     in_words(frame, chosen)));
+    const QString warning = nearness_warning(frame, box);
     if (!warning.isEmpty()) run.say(warning);
-    addResults(frame, run.results);
+    add_results(frame, run.results);
     run.results["sees_all"] = warning.isEmpty();
-    if (chosen.view == ViewChoice::CurrentView) recordView(run, chosen, frame);
+    if (chosen.view == ViewChoice::CurrentView) record_view(run, chosen, frame);
 }
 
 }  // namespace
 
-meshlab_host::Filter polylineFilter() {
-    return {{filter_name, "generate_polyline_from_laplacian_lines",
+meshlab_host::Filter polyline_filter() {
+    return {{kFilterName, "generate_polyline_from_laplacian_lines",
              QStringLiteral("Creates a layer with the lines of the current layer as seen from one "
                             "view, that of the "
                             "window or another: vertices and edges, for other filters and programs "
@@ -203,6 +203,6 @@ meshlab_host::Filter polylineFilter() {
                             "attributes <b>ll_...</b> that tell more about them."),
              meshlab_host::FilterInterface::Normal | meshlab_host::FilterInterface::Layer,
              MeshModel::MM_FACENUMBER},
-            listParameters,
+            list_parameters,
             run};
 }

@@ -15,13 +15,13 @@ using Parameters = PolylineParameters;
 using laplacian_lines::OptionKind;
 namespace rows = laplacian_lines::option_rows;
 
-constexpr double largest_box = 1e15;  // as the core has it
+constexpr double kLargestBox = 1e15;  // as the core has it
 
-std::vector<const char*> viewNames() {
+std::vector<const char*> view_names() {
     std::vector<const char*> names = {"Current View of the Window",
                                       "Perspective, from the Viewpoint",
                                       "Orthographic, along the View Direction"};
-    for (const char* side : line_drawing::sideNames())
+    for (const char* side : line_drawing::side_names())
         names.push_back(side);
     return names;
 }
@@ -30,7 +30,7 @@ std::vector<const char*> viewNames() {
 const std::vector<laplacian_lines::OptionRow<Parameters>>& table() {
     static const std::vector<laplacian_lines::OptionRow<Parameters>> table = {
         rows::choice<&Parameters::view>(
-            "view", "View", viewNames(),
+            "view", "View", view_names(),
             "From where the lines are seen: as in the window, which scripts do not have; from the "
             "viewpoint or the direction below; or from one side of the object, orthographic, as in "
             "MeshLab's menu: Front looks along -z with y upward."),
@@ -42,7 +42,7 @@ const std::vector<laplacian_lines::OptionRow<Parameters>>& table() {
                     "From the object to the viewer, for orthographic views. Get: View Dir. takes "
                     "that of the window."),
         rows::choice<&Parameters::settings>(
-            "settings", "Settings", line_drawing::settingsNames({"Defaults", "As the Decoration"}),
+            "settings", "Settings", line_drawing::settings_names({"Defaults", "As the Decoration"}),
             "As the Decoration: lines, hidden lines, light and colors as the decoration Laplacian "
             "Lines has drawn them last in a window, Detail included. The others: lines of these "
             "kinds, with the outlines."),
@@ -58,15 +58,15 @@ const std::vector<laplacian_lines::OptionRow<Parameters>>& table() {
     return table;
 }
 
-void takeFromMixture(const laplacian_lines::LineMixture& mixture, Parameters& parameters) {
+void take_from_mixture(const laplacian_lines::LineMixture& mixture, Parameters& parameters) {
     parameters.style.shows = mixture.kinds;
-    for (const auto& kind : laplacian_lines::line_kinds)
+    for (const auto& kind : laplacian_lines::kLineKinds)
         parameters.colors[std::size_t(kind.kind)] =
             QColor(mixture.colored[kind.kind] ? kind.key_color : 0).rgb();
 }
 
-void takeFromDecoration(Parameters& parameters) {
-    const meshlab_host::DrawnStyle drawn = meshlab_host::demandDrawnStyle();
+void take_from_decoration(Parameters& parameters) {
+    const meshlab_host::DrawnStyle drawn = meshlab_host::demand_drawn_style();
     parameters.style = drawn.style;
     parameters.visible_only = !drawn.shows_hidden;
     parameters.light_azimuth = drawn.light_azimuth;
@@ -74,33 +74,33 @@ void takeFromDecoration(Parameters& parameters) {
 }
 
 /// MeshLab's box includes vertices that lines ignore: not finite, or far beyond the rest.
-vcg::Box3d usableBox(const MeshModel& mesh) {
+vcg::Box3d usable_box(const MeshModel& mesh) {
     vcg::Box3d box = vcg::Box3d::Construct(mesh.cm.bbox);
-    if (box.IsNull() || box.Diag() < largest_box) return box;
+    if (box.IsNull() || box.Diag() < kLargestBox) return box;
     box.SetNull();
     for (const CVertexO& vertex : mesh.cm.vert) {
         const auto p = vcg::Point3d::Construct(vertex.cP());
-        if (!vertex.IsD() && p.Norm() < largest_box) box.Add(p);
+        if (!vertex.IsD() && p.Norm() < kLargestBox) box.Add(p);
     }
     return box;
 }
 
 }  // namespace
 
-line_drawing::ViewFrame sideView(ViewChoice choice) {
-    return frameOfSide(line_drawing::Side(int(choice) - int(ViewChoice::Front)),
-                       line_drawing::UpAxis::Y);
+line_drawing::ViewFrame side_view(ViewChoice choice) {
+    return frame_of_side(line_drawing::Side(int(choice) - int(ViewChoice::Front)),
+                         line_drawing::UpAxis::Y);
 }
 
-PolylineParameters polylineDefaults(const MeshModel* mesh,
-                                    const std::optional<meshlab_host::CurrentView>& window) {
+PolylineParameters polyline_defaults(const MeshModel* mesh,
+                                     const std::optional<meshlab_host::CurrentView>& window) {
     Parameters result;
     if (window) {
         result.view = ViewChoice::CurrentView;
         result.viewpoint = window->eye;
         result.view_direction = window->towards_viewer;
     } else if (mesh) {
-        const vcg::Box3d box = usableBox(*mesh);
+        const vcg::Box3d box = usable_box(*mesh);
         if (!box.IsNull()) {
             const auto middle = box.Center();
             const auto centre =
@@ -112,17 +112,17 @@ PolylineParameters polylineDefaults(const MeshModel* mesh,
     return result;
 }
 
-void listPolylineParameters(const PolylineParameters& defaults, RichParameterList& list) {
+void list_polyline_parameters(const PolylineParameters& defaults, RichParameterList& list) {
     for (const auto& row : table())
-        meshlab_host::addParameter(row, row.value(defaults), list);
+        meshlab_host::add_parameter(row, row.value(defaults), list);
 }
 
-PolylineParameters readPolylineParameters(const RichParameterList& list) {
+PolylineParameters read_polyline_parameters(const RichParameterList& list) {
     Parameters result;
     for (const auto& row : table())
-        meshlab_host::readParameter(row, result, list);
-    if (result.settings == line_drawing::settings_of_decoration) takeFromDecoration(result);
-    if (const auto* mixture = line_drawing::mixtureAt(result.settings))
-        takeFromMixture(*mixture, result);
+        meshlab_host::read_parameter(row, result, list);
+    if (result.settings == line_drawing::kSettingsOfDecoration) take_from_decoration(result);
+    if (const auto* mixture = line_drawing::mixture_at(result.settings))
+        take_from_mixture(*mixture, result);
     return result;
 }

@@ -24,27 +24,27 @@ enum class ViewChoice {
 };
 
 /// Orthographic along a world axis, as in MeshLab's menu; for choices from Front on.
-line_drawing::ViewFrame sideView(ViewChoice choice);
+line_drawing::ViewFrame side_view(ViewChoice choice);
 
 /// Points and directions are in world coordinates.
 struct PolylineParameters {
     ViewChoice view = ViewChoice::Front;
     Eigen::Vector3d viewpoint = Eigen::Vector3d::Zero();
     Eigen::Vector3d view_direction = Eigen::Vector3d::UnitZ();  ///< towards the viewer
-    int settings = 0;                                           ///< see settingsNames()
+    int settings = 0;                                           ///< see settings_names()
     bool visible_only = true;
     laplacian_lines::LineStyle style;
     std::optional<double> light_azimuth;  ///< as DrawnStyle's; only the decoration has one
-    meshlab_host::KindColors colors = meshlab_host::usualKindColors();
+    meshlab_host::KindColors colors = meshlab_host::usual_kind_colors();
 };
 
 /// The window's current view, if any; else in front of the mesh, with a viewpoint on the side of +z
 /// that sees all of it.
-PolylineParameters polylineDefaults(const MeshModel* mesh,
-                                    const std::optional<meshlab_host::CurrentView>& window);
+PolylineParameters polyline_defaults(const MeshModel* mesh,
+                                     const std::optional<meshlab_host::CurrentView>& window);
 
-void listPolylineParameters(const PolylineParameters& defaults, RichParameterList& list);
+void list_polyline_parameters(const PolylineParameters& defaults, RichParameterList& list);
 
 /// Applies the decoration's settings if asked for. @throws laplacian_lines::Error(InvalidOption)
 /// that names a parameter out of range, or if the decoration has drawn nothing
-PolylineParameters readPolylineParameters(const RichParameterList& list);
+PolylineParameters read_polyline_parameters(const RichParameterList& list);

@@ -12,9 +12,9 @@ using meshlab_host::CurrentView;
 namespace {
 
 /// Wider perspective views get a warning.
-constexpr double widest_angle = 60;  // degrees
+constexpr double kWidestAngle = 60;  // degrees
 
-QString inWords(const Eigen::Vector3d& v) {
+QString in_words(const Eigen::Vector3d& v) {
     return QString("%1 %2 %3").arg(v.x(), 0, 'g', 6).arg(v.y(), 0, 'g', 6).arg(v.z(), 0, 'g', 6);
 }
 
@@ -27,16 +27,16 @@ Eigen::Vector3d upwards(const Eigen::Vector3d& towards_viewer) {
         .normalized();
 }
 
-ViewFrame makeFrame(const Eigen::Vector3d& towards_viewer, const Eigen::Vector3d& up,
-                    const std::optional<Eigen::Vector3d>& eye = std::nullopt) {
+ViewFrame make_frame(const Eigen::Vector3d& towards_viewer, const Eigen::Vector3d& up,
+                     const std::optional<Eigen::Vector3d>& eye = std::nullopt) {
     return {
         line_drawing::Side::Other, "", up.cross(towards_viewer), up, towards_viewer, false, eye};
 }
 
 }  // namespace
 
-ViewFrame frameOf(const PolylineParameters& chosen, const Eigen::Vector3d& centre,
-                  const std::optional<CurrentView>& window) {
+ViewFrame frame_of(const PolylineParameters& chosen, const Eigen::Vector3d& centre,
+                   const std::optional<CurrentView>& window) {
     switch (chosen.view) {
         case ViewChoice::CurrentView:
             if (!window)
@@ -44,50 +44,50 @@ ViewFrame frameOf(const PolylineParameters& chosen, const Eigen::Vector3d& centr
                     "There is no window with a current view. Set \"View\" to 3 (Front) or another "
                     "side, to 1 (Perspective) and give a viewpoint, or to 2 (Orthographic) and "
                     "give a view direction.");
-            return makeFrame(window->towards_viewer, window->up,
-                             window->is_orthographic ? std::nullopt : std::optional(window->eye));
+            return make_frame(window->towards_viewer, window->up,
+                              window->is_orthographic ? std::nullopt : std::optional(window->eye));
         case ViewChoice::Perspective: {
             const Eigen::Vector3d back = chosen.viewpoint - centre;
             const Eigen::Vector3d towards_viewer =
                 back.isZero(0) ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(back.normalized());
-            return makeFrame(towards_viewer, upwards(towards_viewer), chosen.viewpoint);
+            return make_frame(towards_viewer, upwards(towards_viewer), chosen.viewpoint);
         }
         case ViewChoice::Orthographic:
-            return makeFrame(chosen.view_direction.normalized(), upwards(chosen.view_direction));
+            return make_frame(chosen.view_direction.normalized(), upwards(chosen.view_direction));
         default:
             break;
     }
-    ViewFrame side = sideView(chosen.view);
+    ViewFrame side = side_view(chosen.view);
     side.towards_viewer += Eigen::Vector3d::Zero();  // no -0
     return side;
 }
 
-QString inWords(const ViewFrame& frame, const PolylineParameters& chosen) {
-    if (frame.eye) return "perspective, from the viewpoint " + inWords(*frame.eye);
+QString in_words(const ViewFrame& frame, const PolylineParameters& chosen) {
+    if (frame.eye) return "perspective, from the viewpoint " + in_words(*frame.eye);
     const bool is_chosen = chosen.view == ViewChoice::Orthographic;
     const QString words = "orthographic, along the view direction " +
-                          inWords(is_chosen ? chosen.view_direction : frame.towards_viewer);
+                          in_words(is_chosen ? chosen.view_direction : frame.towards_viewer);
     return frame.name.empty() ? words
                               : QString("%1 (%2)").arg(words, QString::fromStdString(frame.name));
 }
 
-laplacian_lines::View viewOf(const ViewFrame& frame, const PolylineParameters& chosen,
-                             const Eigen::Matrix4d& layer) {
+laplacian_lines::View view_of(const ViewFrame& frame, const PolylineParameters& chosen,
+                              const Eigen::Matrix4d& layer) {
     Eigen::Vector4d eye = Eigen::Vector4d::Zero();
     eye.head<3>() = frame.eye.value_or(frame.towards_viewer);
     eye.w() = frame.eye ? 1 : 0;
-    std::optional<laplacian_lines::View> view = meshlab_host::viewFrom(eye, layer);
+    std::optional<laplacian_lines::View> view = meshlab_host::view_from(eye, layer);
     if (!view)
         laplacian_lines::refuse(
             "The layer's transformation cannot be inverted. Reset it, or freeze it.");
     if (chosen.light_azimuth)
-        view->light = meshlab_host::directionInMesh(
-            inMesh(meshlab_host::towardsLight(*chosen.light_azimuth), frame),
+        view->light = meshlab_host::direction_in_mesh(
+            in_mesh(meshlab_host::towards_light(*chosen.light_azimuth), frame),
             Eigen::Matrix4d::Identity(), layer);
     return *view;
 }
 
-QString nearnessWarning(const ViewFrame& frame, const Eigen::AlignedBox3d& box) {
+QString nearness_warning(const ViewFrame& frame, const Eigen::AlignedBox3d& box) {
     if (!frame.eye || box.isEmpty()) return {};
     const Eigen::Vector3d viewpoint = *frame.eye;
     double widest = 0;
@@ -97,17 +97,17 @@ QString nearnessWarning(const ViewFrame& frame, const Eigen::AlignedBox3d& box) 
                                              -ray.dot(frame.towards_viewer)));
     }
     const bool is_within = box.contains(viewpoint);
-    if (!is_within && widest < widest_angle * std::acos(-1.0) / 180) return {};
+    if (!is_within && widest < kWidestAngle * std::acos(-1.0) / 180) return {};
     return QString(
                "Warning: the viewpoint %1 is %2 of the layer, which reaches from %3 to %4: not "
                "all of it is in sight. Take a viewpoint farther away, or one of the sides as "
                "View, such as Front.")
-        .arg(inWords(viewpoint), is_within ? "within the bounding box" : "close to the box",
-             inWords(box.min()), inWords(box.max()));
+        .arg(in_words(viewpoint), is_within ? "within the bounding box" : "close to the box",
+             in_words(box.min()), in_words(box.max()));
 }
 
-void addResults(const ViewFrame& frame, meshlab_host::FilterResults& results) {
-    if (frame.eye) meshlab_host::addResult("viewpoint", *frame.eye, results);
-    meshlab_host::addResult("view_direction", frame.towards_viewer, results);
-    meshlab_host::addResult("up", frame.up, results);
+void add_results(const ViewFrame& frame, meshlab_host::FilterResults& results) {
+    if (frame.eye) meshlab_host::add_result("viewpoint", *frame.eye, results);
+    meshlab_host::add_result("view_direction", frame.towards_viewer, results);
+    meshlab_host::add_result("up", frame.up, results);
 }

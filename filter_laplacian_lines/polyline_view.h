@@ -14,20 +14,20 @@
 
 /// Perspective eyes look at `centre` of the mesh. @throws laplacian_lines::Error(InvalidOption) if
 /// there is no window's view to take
-line_drawing::ViewFrame frameOf(const PolylineParameters& chosen, const Eigen::Vector3d& centre,
-                                const std::optional<meshlab_host::CurrentView>& window);
+line_drawing::ViewFrame frame_of(const PolylineParameters& chosen, const Eigen::Vector3d& centre,
+                                 const std::optional<meshlab_host::CurrentView>& window);
 
 /// For the log: "orthographic, along the view direction 0 0 1 (Front)".
-QString inWords(const line_drawing::ViewFrame& frame, const PolylineParameters& chosen);
+QString in_words(const line_drawing::ViewFrame& frame, const PolylineParameters& chosen);
 
 /// In mesh coordinates, with the light. @throws laplacian_lines::Error(InvalidOption) if the
 /// layer's transformation is singular
-laplacian_lines::View viewOf(const line_drawing::ViewFrame& frame, const PolylineParameters& chosen,
-                             const Eigen::Matrix4d& layer);
+laplacian_lines::View view_of(const line_drawing::ViewFrame& frame,
+                              const PolylineParameters& chosen, const Eigen::Matrix4d& layer);
 
 /// A warning if the eye, in or near a box in world coordinates, does not see all of it.
-QString nearnessWarning(const line_drawing::ViewFrame& frame, const Eigen::AlignedBox3d& box);
+QString nearness_warning(const line_drawing::ViewFrame& frame, const Eigen::AlignedBox3d& box);
 
 /// Adds what flattens the lines to a picture, in world coordinates: "viewpoint" of perspective
 /// views, "view_direction" to the viewer, "up".
-void addResults(const line_drawing::ViewFrame& frame, meshlab_host::FilterResults& results);
+void add_results(const line_drawing::ViewFrame& frame, meshlab_host::FilterResults& results);

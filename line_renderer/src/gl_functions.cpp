@@ -7,7 +7,7 @@
 namespace line_renderer {
 namespace {
 
-GlFeatures currentFeatures() {
+GlFeatures current_features() {
     int major = 0, minor = 0;
     if (const auto* text = reinterpret_cast<const char*>(glGetString(GL_VERSION)))
         std::sscanf(text, "%d.%d", &major, &minor);
@@ -30,13 +30,13 @@ GlFeatures currentFeatures() {
 
 }  // namespace
 
-void (*findGlFunction(const char* name))() {
+void (*find_gl_function(const char* name))() {
     const QOpenGLContext* context = QOpenGLContext::currentContext();
     return context ? context->getProcAddress(name) : nullptr;
 }
 
-GlFeatures& glFeatures() {
-    static GlFeatures features = currentFeatures();
+GlFeatures& gl_features() {
+    static GlFeatures features = current_features();
     return features;
 }
 

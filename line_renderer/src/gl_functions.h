@@ -9,7 +9,7 @@
 namespace line_renderer {
 
 /// Null if the current context, or Qt, has no such function.
-void (*findGlFunction(const char* name))();
+void (*find_gl_function(const char* name))();
 
 /// Looked up when it is first needed, which takes a current context.
 template <class Pointer>
@@ -25,7 +25,7 @@ public:
     Result operator()(Arguments... arguments) { return pointer()(arguments...); }
     /// Tests replace it.
     Pointer& pointer() {
-        if (!pointer_) pointer_ = reinterpret_cast<Pointer>(findGlFunction(name_));
+        if (!pointer_) pointer_ = reinterpret_cast<Pointer>(find_gl_function(name_));
         return pointer_;
     }
 
@@ -43,7 +43,7 @@ struct GlFeatures {
     bool instancing;      ///< OpenGL 3.3
     bool old_instancing;  ///< by extensions of OpenGL 2
 };
-GlFeatures& glFeatures();
+GlFeatures& gl_features();
 
 #define GL_FUNCTION(name, type) inline GlFunction<type> name(#name)
 GL_FUNCTION(glActiveTexture, PFNGLACTIVETEXTUREARBPROC);  // Mesa has no other type
@@ -92,20 +92,20 @@ GL_FUNCTION(glVertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC);
 
 // Instanced drawing, by OpenGL 3.3 or older extensions. Needs a current context.
 
-inline bool canDrawInstanced() {
-    return glFeatures().instancing || glFeatures().old_instancing;
+inline bool can_draw_instanced() {
+    return gl_features().instancing || gl_features().old_instancing;
 }
 
-inline void setDivisor(GLuint attribute, GLuint divisor) {
-    if (glFeatures().instancing)
+inline void set_divisor(GLuint attribute, GLuint divisor) {
+    if (gl_features().instancing)
         glVertexAttribDivisor(attribute, divisor);
     else
         glVertexAttribDivisorARB(attribute, divisor);
 }
 
 /// From vertex 0.
-inline void drawInstanced(GLenum mode, GLsizei vertices, GLsizei instances) {
-    if (glFeatures().instancing)
+inline void draw_instanced(GLenum mode, GLsizei vertices, GLsizei instances) {
+    if (gl_features().instancing)
         glDrawArraysInstanced(mode, 0, vertices, instances);
     else
         glDrawArraysInstancedARB(mode, 0, vertices, instances);

@@ -5,7 +5,7 @@
 
 namespace line_renderer {
 
-GlState::GlState() : has_vertex_arrays_(glFeatures().array_objects) {
+GlState::GlState() : has_vertex_arrays_(gl_features().array_objects) {
     glGetIntegerv(GL_CURRENT_PROGRAM, &program_);
     glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &array_buffer_);
     if (has_vertex_arrays_) {

@@ -7,16 +7,16 @@ namespace line_renderer {
 namespace {
 
 /// From the bound buffer. `divisor` 1: one value per segment.
-void pointAttribute(LineAttribute attribute, GLint floats, GLsizei stride, std::size_t offset,
-                    GLuint divisor) {
+void point_attribute(LineAttribute attribute, GLint floats, GLsizei stride, std::size_t offset,
+                     GLuint divisor) {
     glEnableVertexAttribArray(attribute);
     glVertexAttribPointer(attribute, floats, GL_FLOAT, GL_FALSE, stride,
                           reinterpret_cast<const void*>(offset));
-    setDivisor(attribute, divisor);
+    set_divisor(attribute, divisor);
 }
 
 /// Four windows onto one array, each a point further.
-constexpr LineAttribute windows[] = {Before, Start, End, After};
+constexpr LineAttribute kWindows[] = {Before, Start, End, After};
 
 GLsizeiptr bytes(std::size_t points) {
     return GLsizeiptr(points * sizeof(StreamPoint));
@@ -36,7 +36,7 @@ LineBuffers::LineBuffers() {
 }
 
 StreamPoint* LineBuffers::map(std::size_t points) {
-    const bool has_ranges = glFeatures().buffer_ranges;
+    const bool has_ranges = gl_features().buffer_ranges;
     glBindBuffer(GL_ARRAY_BUFFER, stream_);
     if (points > capacity_ || !has_ranges) {
         capacity_ = std::max(capacity_, points + points / 4);
@@ -58,23 +58,23 @@ bool LineBuffers::unmap() {
 
 void LineBuffers::bind(std::size_t first) const {
     glBindBuffer(GL_ARRAY_BUFFER, corners_);
-    pointAttribute(Corner, 2, 0, 0, 0);
+    point_attribute(Corner, 2, 0, 0, 0);
 
     glBindBuffer(GL_ARRAY_BUFFER, stream_);
     const std::size_t begin = first * sizeof(StreamPoint);
     std::size_t offset = begin;
-    for (LineAttribute window : windows) {
-        pointAttribute(window, 4, sizeof(StreamPoint), offset, 1);
+    for (LineAttribute window : kWindows) {
+        point_attribute(window, 4, sizeof(StreamPoint), offset, 1);
         offset += sizeof(StreamPoint);
     }
     const std::size_t look = begin + offsetof(StreamPoint, opacity);
-    pointAttribute(StartLook, 3, sizeof(StreamPoint), sizeof(StreamPoint) + look, 1);
-    pointAttribute(EndLook, 3, sizeof(StreamPoint), 2 * sizeof(StreamPoint) + look, 1);
+    point_attribute(StartLook, 3, sizeof(StreamPoint), sizeof(StreamPoint) + look, 1);
+    point_attribute(EndLook, 3, sizeof(StreamPoint), 2 * sizeof(StreamPoint) + look, 1);
 }
 
 void LineBuffers::unbind() {
     for (LineAttribute attribute : {Before, Start, End, After, StartLook, EndLook})
-        setDivisor(attribute, 0);
+        set_divisor(attribute, 0);
 }
 
 }  // namespace line_renderer

@@ -12,7 +12,7 @@ namespace line_renderer {
 /// Of the line program. Corner is 0, which some drivers want to advance with every vertex; the
 /// others advance with every segment.
 enum LineAttribute : GLuint { Corner, Before, Start, End, After, StartLook, EndLook };
-inline const std::vector<const char*> line_attributes = {"corner", "before",     "start",   "end",
+inline const std::vector<const char*> kLineAttributes = {"corner", "before",     "start",   "end",
                                                          "after",  "start_look", "end_look"};
 
 /// Input of the line program: corners of a quad, and this frame's points. Needs a current context

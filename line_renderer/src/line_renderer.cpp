@@ -19,25 +19,25 @@ namespace {
 
 /// How far beside a line, pixels, the surface may give way to let it be seen: less than half an
 /// outline's width, which hides what reaches below it.
-constexpr double to_side = 1.5;
+constexpr double kToSide = 1.5;
 
 /// The same for lines along mesh edges: the pixel's middle may be beyond the edge, by up to sqrt(2)
 /// pixels. And the most pixels that such an edge moves towards the eye: as far as a surface that
 /// leans by 70 degrees, such as the ground, rises over that distance.
-constexpr double edge_side = 0.7072;
-constexpr double edge_move = 4;
-constexpr double unlimited = 1e6;
+constexpr double kEdgeSide = 0.7072;
+constexpr double kEdgeMove = 4;
+constexpr double kUnlimited = 1e6;
 
 /// Hidden lines: length of a dash and its period, pixels.
-constexpr double dash_pixels = 5;
-constexpr double dash_period = 9;
+constexpr double kDashPixels = 5;
+constexpr double kDashPeriod = 9;
 /// How many clearances behind the surface a hidden line has to be; otherwise pieces along outlines
 /// would be drawn.
-constexpr double hidden_depth = 4;
+constexpr double kHiddenDepth = 4;
 
 template <class Value>
-using PerLook = std::array<Value, laplacian_lines::line_kind_count>;
-static_assert(laplacian_lines::line_kind_count <= most_looks, "the shaders need longer arrays");
+using PerLook = std::array<Value, laplacian_lines::kLineKindCount>;
+static_assert(laplacian_lines::kLineKindCount <= kMostLooks, "the shaders need longer arrays");
 
 Eigen::Vector4f viewport() {
     GLint corner_and_size[4];
@@ -45,11 +45,11 @@ Eigen::Vector4f viewport() {
     return Eigen::Map<const Eigen::Vector4i>(corner_and_size).cast<float>();
 }
 
-Eigen::Vector2f halfViewport() {
+Eigen::Vector2f half_viewport() {
     return viewport().tail<2>() / 2;
 }
 
-void setColors(const ShaderProgram& program, const LineAppearance& appearance, double alpha) {
+void set_colors(const ShaderProgram& program, const LineAppearance& appearance, double alpha) {
     PerLook<Eigen::Vector4f> colors;
     for (std::size_t look = 0; look < colors.size(); ++look) {
         const QColor& color = appearance.looks[look].color;
@@ -59,38 +59,40 @@ void setColors(const ShaderProgram& program, const LineAppearance& appearance, d
     program.set("colors", colors);
 }
 
-void setSharesWithin(const ShaderProgram& program, const LineAppearance& appearance) {
+void set_shares_within(const ShaderProgram& program, const LineAppearance& appearance) {
     PerLook<float> shares;
     for (std::size_t look = 0; look < shares.size(); ++look)
         shares[look] = float(appearance.looks[look].share_within);
     program.set("shares_within", shares);
 }
 
-void setDepthBiases(const ShaderProgram& program, const LinePlacement& placement, double factor) {
+void set_depth_biases(const ShaderProgram& program, const LinePlacement& placement, double factor) {
     PerLook<float> biases;
     for (std::size_t look = 0; look < biases.size(); ++look)
-        biases[look] = float(factor * lineClearance(look, placement));
+        biases[look] = float(factor * line_clearance(look, placement));
     program.set("depth_biases", biases);
 }
 
 /// How far from a line depths may let it be seen; from mesh edges the same, unless they are exact.
-void setReach(const ShaderProgram& program, const LinePlacement& placement, bool is_exact) {
-    const double pixels = to_side * placement.pixel_scale;
-    const Eigen::Vector2d at_edges(is_exact ? edge_move : unlimited, is_exact ? edge_side : pixels);
+void set_reach(const ShaderProgram& program, const LinePlacement& placement, bool is_exact) {
+    const double pixels = kToSide * placement.pixel_scale;
+    const Eigen::Vector2d at_edges(is_exact ? kEdgeMove : kUnlimited,
+                                   is_exact ? kEdgeSide : pixels);
     program.set("to_side", float(pixels));
     program.set("edge_reach", Eigen::Vector2f(at_edges.cast<float>()));
 }
 
 /// For both seen and hidden lines.
-void setPlacement(const ShaderProgram& program, const LinePlacement& placement, double radius) {
+void set_placement(const ShaderProgram& program, const LinePlacement& placement, double radius) {
     program.set("to_eye", Eigen::Matrix4f(placement.to_eye.cast<float>()));
     program.set("projection", Eigen::Matrix4f(placement.projection.cast<float>()));
-    program.set("half_viewport", halfViewport());
+    program.set("half_viewport", half_viewport());
     // A mark's corner at the far side of a line. Another layer's marks have this one's faces count
     // twice, in the texture and in the depth buffer, which must not hide a line's inner half.
     const double to_horizon =
         placement.depths.is_complete ? 0 : 0.71 * placement.mark_pixels + radius;
-    program.set("mark_reach", float(placement.diagonal * meanScale(placement.to_eye) * to_horizon));
+    program.set("mark_reach",
+                float(placement.diagonal * mean_scale(placement.to_eye) * to_horizon));
     glBindTexture(GL_TEXTURE_2D, placement.depths.id);
     program.set("surface_depth", 0);
     const Eigen::Vector4f view = viewport();
@@ -100,7 +102,7 @@ void setPlacement(const ShaderProgram& program, const LinePlacement& placement, 
 }
 
 /// For points less their set's origin.
-LinePlacement relativeTo(const Eigen::Vector3d& origin, LinePlacement placement) {
+LinePlacement relative_to(const Eigen::Vector3d& origin, LinePlacement placement) {
     const Eigen::Matrix4d shift = Eigen::Affine3d(Eigen::Translation3d(origin)).matrix();
     placement.to_eye *= shift;
     if (placement.picture_to_clip) *placement.picture_to_clip *= shift;
@@ -110,8 +112,8 @@ LinePlacement relativeTo(const Eigen::Vector3d& origin, LinePlacement placement)
 }  // namespace
 
 struct LineRenderer::Objects {
-    ShaderProgram program{"Lines cannot be drawn", line_vertex_shader, line_fragment_shader,
-                          line_attributes};
+    ShaderProgram program{"Lines cannot be drawn", kLineVertexShader, kLineFragmentShader,
+                          kLineAttributes};
     LineBuffers buffers;
 };
 
@@ -119,8 +121,8 @@ LineRenderer::LineRenderer() : objects_(std::make_unique<PerShareGroup<Objects>>
 
 LineRenderer::~LineRenderer() = default;
 
-LineRenderer::Objects LineRenderer::makeObjects() {
-    if (!canDrawInstanced())
+LineRenderer::Objects LineRenderer::make_objects() {
+    if (!can_draw_instanced())
         throw std::runtime_error(
             "Lines cannot be drawn: instanced drawing (OpenGL 3.3) is not available.");
     return Objects();
@@ -134,55 +136,55 @@ struct LineRenderer::Pass {
     bool sees_edges_exactly = true;
 };
 
-void LineRenderer::drawPass(const Objects& objects, const LinePlacement& placement,
-                            const Pass& pass, RedrawClock& clock) const {
+void LineRenderer::draw_pass(const Objects& objects, const LinePlacement& placement,
+                             const Pass& pass, RedrawClock& clock) const {
     const ShaderProgram& program = objects.program;
     glDepthFunc(placement.depths.is_complete ? GL_ALWAYS : pass.depth_function);
     program.set("surface_side", pass.surface_side);
-    setDepthBiases(program, placement, pass.bias_factor);
-    setReach(program, placement, pass.sees_edges_exactly);
+    set_depth_biases(program, placement, pass.bias_factor);
+    set_reach(program, placement, pass.sees_edges_exactly);
     const double dash_scale = pass.is_dashed ? placement.pixel_scale : 0;
     program.set("dash",
-                Eigen::Vector2f(float(dash_scale * dash_pixels), float(dash_scale * dash_period)));
+                Eigen::Vector2f(float(dash_scale * kDashPixels), float(dash_scale * kDashPeriod)));
     clock.count(RedrawClock::DrawCalls);
     for (const StreamPart& part : parts_) {
         if (part.length == 0) continue;
         objects.buffers.bind(part.first);
-        drawInstanced(GL_TRIANGLE_STRIP, 4, GLsizei(part.length) - 3);
+        draw_instanced(GL_TRIANGLE_STRIP, 4, GLsizei(part.length) - 3);
     }
     clock.count(RedrawClock::Drawing);
 }
 
-void LineRenderer::drawHidden(const Objects& objects, const LineAppearance& appearance,
-                              const LinePlacement& placement, RedrawClock& clock) const {
+void LineRenderer::draw_hidden(const Objects& objects, const LineAppearance& appearance,
+                               const LinePlacement& placement, RedrawClock& clock) const {
     Pass hidden;
-    hidden.bias_factor = hidden_depth;
+    hidden.bias_factor = kHiddenDepth;
     hidden.is_dashed = appearance.hidden == HiddenLines::Dashed;
     hidden.sees_edges_exactly = false;  // those just behind an outline would only double it
-    setColors(objects.program, appearance, hidden.is_dashed ? 1 : faint_alpha);
+    set_colors(objects.program, appearance, hidden.is_dashed ? 1 : kFaintAlpha);
     hidden.depth_function = GL_ALWAYS;
     hidden.surface_side = -1;
-    drawPass(objects, placement, hidden, clock);
+    draw_pass(objects, placement, hidden, clock);
     if (placement.depths.is_complete) return;
     hidden.depth_function = GL_GREATER;  // what the depth buffer hides and the texture does not
     hidden.surface_side = 1;
-    drawPass(objects, placement, hidden, clock);
+    draw_pass(objects, placement, hidden, clock);
 }
 
 void LineRenderer::upload(const laplacian_lines::LineSet& lines, const LineAppearance& appearance,
                           const LinePlacement& placement) {
     parts_.clear();
     origin_ = lines.origin;
-    LineBuffers& buffers = objects_->current(makeObjects).buffers;
-    const std::size_t most = streamLength(lines);
+    LineBuffers& buffers = objects_->current(make_objects).buffers;
+    const std::size_t most = stream_length(lines);
     if (most == 0) return;
 
     GLint bound = 0;
     glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bound);
     if (StreamPoint* stream = buffers.map(most)) {
         const StreamSettings settings =
-            streamSettings(appearance, relativeTo(origin_, placement), halfViewport());
-        writeStream(lines, settings, stream, parts_);
+            stream_settings(appearance, relative_to(origin_, placement), half_viewport());
+        write_stream(lines, settings, stream, parts_);
         if (!buffers.unmap()) parts_.clear();
     }
     glBindBuffer(GL_ARRAY_BUFFER, GLuint(bound));
@@ -193,17 +195,17 @@ void LineRenderer::upload(const laplacian_lines::LineSet& lines, const LineAppea
 void LineRenderer::draw(const LineAppearance& appearance, const LinePlacement& placement,
                         RedrawClock& clock) {
     if (parts_.empty()) return;
-    const Objects& objects = objects_->current(makeObjects);
-    const LineRadii in_pixels = lineRadii(appearance, placement.pixel_scale);
+    const Objects& objects = objects_->current(make_objects);
+    const LineRadii in_pixels = line_radii(appearance, placement.pixel_scale);
     const GlState state;
     objects.program.use();
-    setSharesWithin(objects.program, appearance);
-    setPlacement(objects.program, relativeTo(origin_, placement),
-                 *std::max_element(in_pixels.full.begin(), in_pixels.full.end()));
+    set_shares_within(objects.program, appearance);
+    set_placement(objects.program, relative_to(origin_, placement),
+                  *std::max_element(in_pixels.full.begin(), in_pixels.full.end()));
     if (appearance.hidden != HiddenLines::LeftOut)
-        drawHidden(objects, appearance, placement, clock);
-    setColors(objects.program, appearance, 1);
-    drawPass(objects, placement, Pass(), clock);
+        draw_hidden(objects, appearance, placement, clock);
+    set_colors(objects.program, appearance, 1);
+    draw_pass(objects, placement, Pass(), clock);
     LineBuffers::unbind();
 }
 

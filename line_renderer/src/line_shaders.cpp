@@ -20,7 +20,7 @@ namespace line_renderer {
 // the screen and stand out of a surface that falls away, by sqrt(2 R d) at d pixels from the
 // horizon of a ball of radius R. The depth buffer counts as well, but after a move as long as that,
 // which leaves what is well in front.
-const char* const line_vertex_shader = R"(#version 120
+const char* const kLineVertexShader = R"(#version 120
 attribute vec2 corner;  // x: 0 at the start, 1 at the end; y: -1 or 1, side
 attribute vec4 before;  // mesh coordinates, radius in pixels or a negative mark
 attribute vec4 start;
@@ -182,7 +182,7 @@ void main()
 }
 )";
 
-const char* const line_fragment_shader = R"(#version 120
+const char* const kLineFragmentShader = R"(#version 120
 uniform vec2 dash;  // lengths of a dash and of a dash with its gap; zero: no gaps
 varying vec2 place;
 varying vec4 shape;

@@ -18,16 +18,16 @@ using laplacian_lines::Polyline;
 namespace {
 
 /// Share of a line's clearance by which its drawn depth may differ.
-constexpr double depth_share = 0.25;
+constexpr double kDepthShare = 0.25;
 
-LineTolerance toleranceOf(const LinePlacement& placement) {
+LineTolerance tolerance_of(const LinePlacement& placement) {
     LineTolerance result;
     result.distance = float(placement.tolerance);
     const Eigen::Matrix4d& p = placement.projection;
     // Change of depth in -1..1 with the distance from the eye, times w².
     const double slope = std::abs(p(2, 2) * p(3, 3) - p(2, 3) * p(3, 2));
     for (std::size_t look = 0; look < result.depth.size(); ++look)
-        result.depth[look] = float(depth_share * slope * lineClearance(look, placement));
+        result.depth[look] = float(kDepthShare * slope * line_clearance(look, placement));
     return result;
 }
 
@@ -36,16 +36,16 @@ StreamPoint at(const LinePoint& point, float radius, LineKind kind, float along)
     return {{p.x(), p.y(), p.z()}, radius, point.opacity, float(kind), along};
 }
 
-float taperedRadius(float full, float least_share, float weight) {
+float tapered_radius(float full, float least_share, float weight) {
     return full * (least_share + (1 - least_share) * std::clamp(weight, 0.0f, 1.0f));
 }
 
 /// What a line is between two of its points: 0, or one of the marks of edges of the mesh.
-float markOf(const Polyline& line, const LinePoint& from, const LinePoint& to) {
-    if (line.kind == LineKind::Border) return edge_mark;
-    if (line.kind == LineKind::Crease) return line.slope < 0 ? away_mark : edge_mark;
+float mark_of(const Polyline& line, const LinePoint& from, const LinePoint& to) {
+    if (line.kind == LineKind::Border) return kEdgeMark;
+    if (line.kind == LineKind::Crease) return line.slope < 0 ? kAwayMark : kEdgeMark;
     if (!laplacian_lines::follows_edge(line.kind, from, to)) return 0;
-    return std::signbit(from.gradient) && std::signbit(to.gradient) ? away_mark : edge_mark;
+    return std::signbit(from.gradient) && std::signbit(to.gradient) ? kAwayMark : kEdgeMark;
 }
 
 class LineOnScreen {
@@ -60,7 +60,7 @@ public:
         const Eigen::Vector4f clip = screen.to_clip * point.position.homogeneous();
         const LineTolerance& tolerance = settings_.tolerance;
         SeenPoint seen;
-        seen.values = {0, taperedRadius(full_radius_, settings_.radii.least_share, point.weight),
+        seen.values = {0, tapered_radius(full_radius_, settings_.radii.least_share, point.weight),
                        point.opacity};
         seen.is_before_eye = clip.w() > 0 && clip.z() > -clip.w();
         if (!seen.is_before_eye) return seen;
@@ -78,7 +78,7 @@ private:
     const float depth_tolerance_;
 };
 
-float lengthBetween(const SeenPoint& a, const SeenPoint& b) {
+float length_between(const SeenPoint& a, const SeenPoint& b) {
     return a.is_before_eye && b.is_before_eye ? (b.pixel - a.pixel).norm() : 0;
 }
 
@@ -91,12 +91,12 @@ public:
     void write(const LinePoint* first, const LinePoint* last, const Polyline& line) {
         StreamPoint* const before = next_++;
         written_ = 0;
-        writePoints(first, last, line);
+        write_points(first, last, line);
         StreamPoint* const after = next_++;
         // A closed line repeats its first point, so its neighbours are one further in.
         *before = before_last_;
         *after = second_;
-        before->radius = after->radius = line.closed ? neighbour_only : nothing_here;
+        before->radius = after->radius = line.closed ? kNeighbourOnly : kNothingHere;
     }
 
     std::size_t length() const { return std::size_t(next_ - begin_); }
@@ -109,30 +109,30 @@ private:
         last_ = point;
     }
 
-    void putStart(StreamPoint candidate, float mark) {
+    void put_start(StreamPoint candidate, float mark) {
         candidate.look += mark;
         put(candidate);
     }
 
-    void writePoints(const LinePoint* first, const LinePoint* last, const Polyline& line) {
+    void write_points(const LinePoint* first, const LinePoint* last, const Polyline& line) {
         const LineOnScreen screen(settings_, line.kind);
         const bool keeps_all = settings_.tolerance.distance <= 0;
         SeenPoint seen = screen.see(*first);
         StreamPoint candidate = at(*first, seen.values[SeenRadius], line.kind, 0);
         float length = 0;
-        float last_mark = markOf(line, *first, first[1]);
-        putStart(candidate, last_mark);
+        float last_mark = mark_of(line, *first, first[1]);
+        put_start(candidate, last_mark);
         piece_.begin(seen);
         for (const LinePoint* point = first + 1; point <= last; ++point) {
             const SeenPoint next = screen.see(*point);
-            const float mark = markOf(line, point[-1], *point);
+            const float mark = mark_of(line, point[-1], *point);
             if (keeps_all ? point > first + 1 : mark != last_mark || !piece_.takes(next)) {
-                putStart(candidate, mark);
+                put_start(candidate, mark);
                 piece_.begin(seen);
                 piece_.takes(next);
             }
             last_mark = mark;
-            if (settings_.is_measured) length += lengthBetween(seen, next);
+            if (settings_.is_measured) length += length_between(seen, next);
             candidate = at(*point, next.values[SeenRadius], line.kind, length);
             seen = next;
         }
@@ -147,15 +147,15 @@ private:
     StreamPoint second_{}, before_last_{}, last_{};
 };
 
-constexpr std::size_t most_runs = 4;         // of a set's lines, for threads
-constexpr std::size_t points_of_run = 4096;  // at least
+constexpr std::size_t kMostRuns = 4;        // of a set's lines, for threads
+constexpr std::size_t kPointsOfRun = 4096;  // at least
 
-bool isDrawn(const Polyline& line) {
+bool is_drawn(const Polyline& line) {
     return line.count >= 2;
 }
 
-std::size_t lengthOf(const Polyline& line) {
-    return isDrawn(line) ? line.count + 2 : 0;
+std::size_t length_of(const Polyline& line) {
+    return is_drawn(line) ? line.count + 2 : 0;
 }
 
 /// Successive lines whose outlines, or others, are a part of a stream.
@@ -163,11 +163,11 @@ struct Run {
     std::size_t first_line = 0, last_line = 0;
     std::size_t lengths[2] = {};  ///< most points of others and of outlines
 };
-using Runs = std::array<Run, most_runs>;
+using Runs = std::array<Run, kMostRuns>;
 
 /// Of about the same number of points; the last are empty if there are few.
-Runs cutInRuns(const LineSet& lines) {
-    const std::size_t size = std::max(points_of_run, streamLength(lines) / most_runs + 1);
+Runs cut_in_runs(const LineSet& lines) {
+    const std::size_t size = std::max(kPointsOfRun, stream_length(lines) / kMostRuns + 1);
     Runs runs;
     Run* run = runs.data();
     std::size_t length = 0;
@@ -177,19 +177,19 @@ Runs cutInRuns(const LineSet& lines) {
             const std::size_t begin = run->last_line;
             *++run = {begin, begin};
         }
-        run->lengths[describe(line.kind).is_outline] += lengthOf(line);
-        length += lengthOf(line);
+        run->lengths[describe(line.kind).is_outline] += length_of(line);
+        length += length_of(line);
         ++run->last_line;
     }
     return runs;
 }
 
-std::size_t writeRun(const LineSet& lines, const Run& run, bool outlines,
-                     const StreamSettings& settings, StreamPoint* stream) {
+std::size_t write_run(const LineSet& lines, const Run& run, bool outlines,
+                      const StreamSettings& settings, StreamPoint* stream) {
     StreamWriter writer(settings, stream);
     for (std::size_t i = run.first_line; i < run.last_line; ++i) {
         const Polyline& line = lines.lines[i];
-        if (!isDrawn(line) || describe(line.kind).is_outline != outlines) continue;
+        if (!is_drawn(line) || describe(line.kind).is_outline != outlines) continue;
         const LinePoint* first = lines.points.data() + line.first;
         writer.write(first, first + line.count - 1, line);
     }
@@ -198,16 +198,16 @@ std::size_t writeRun(const LineSet& lines, const Run& run, bool outlines,
 
 }  // namespace
 
-std::size_t streamLength(const LineSet& lines) {
+std::size_t stream_length(const LineSet& lines) {
     std::size_t length = 0;
     for (const Polyline& line : lines.lines)
-        length += lengthOf(line);
+        length += length_of(line);
     return length;
 }
 
-void writeStream(const LineSet& lines, const StreamSettings& settings, StreamPoint* stream,
-                 std::vector<StreamPart>& parts) {
-    const Runs runs = cutInRuns(lines);
+void write_stream(const LineSet& lines, const StreamSettings& settings, StreamPoint* stream,
+                  std::vector<StreamPart>& parts) {
+    const Runs runs = cut_in_runs(lines);
     parts.clear();
     std::size_t next = 0;
     for (const bool outlines : {false, true})  // on top of lines of other colors
@@ -216,32 +216,32 @@ void writeStream(const LineSet& lines, const StreamSettings& settings, StreamPoi
             next += run.lengths[outlines];
         }
     laplacian_lines::in_parallel(parts.size(), [&](std::size_t i) {
-        parts[i].length =
-            writeRun(lines, runs[i % most_runs], i >= most_runs, settings, stream + parts[i].first);
+        parts[i].length = write_run(lines, runs[i % kMostRuns], i >= kMostRuns, settings,
+                                    stream + parts[i].first);
     });
 }
 
-LineRadii lineRadii(const LineAppearance& appearance, double pixel_scale) {
+LineRadii line_radii(const LineAppearance& appearance, double pixel_scale) {
     LineRadii result;
     for (std::size_t look = 0; look < result.full.size(); ++look)
         result.full[look] = float(appearance.looks[look].width * pixel_scale / 2);
     return result;
 }
 
-double lineClearance(std::size_t look, const LinePlacement& placement) {
-    return meanScale(placement.to_eye) *
-           laplacian_lines::sight_clearance(laplacian_lines::line_kinds[look].kind,
+double line_clearance(std::size_t look, const LinePlacement& placement) {
+    return mean_scale(placement.to_eye) *
+           laplacian_lines::sight_clearance(laplacian_lines::kLineKinds[look].kind,
                                             placement.diagonal, placement.sight_edge);
 }
 
-StreamSettings streamSettings(const LineAppearance& appearance, const LinePlacement& placement,
-                              const Eigen::Vector2f& half_viewport) {
+StreamSettings stream_settings(const LineAppearance& appearance, const LinePlacement& placement,
+                               const Eigen::Vector2f& half_viewport) {
     const Eigen::Matrix4d to_clip =
         placement.picture_to_clip.value_or(placement.projection * placement.to_eye);
     StreamSettings settings;
-    settings.radii = lineRadii(appearance, placement.pixel_scale);
+    settings.radii = line_radii(appearance, placement.pixel_scale);
     settings.screen = {to_clip.cast<float>(), half_viewport};
-    settings.tolerance = toleranceOf(placement);
+    settings.tolerance = tolerance_of(placement);
     settings.is_measured = appearance.hidden == HiddenLines::Dashed;
     return settings;
 }

@@ -16,7 +16,7 @@ namespace line_renderer {
 /// Half widths, pixels.
 struct LineRadii {
     /// At full weight, by kind.
-    std::array<float, laplacian_lines::line_kind_count> full{};
+    std::array<float, laplacian_lines::kLineKindCount> full{};
     float least_share = 0.35f;  ///< share of the radius that is left at weight 0
 };
 
@@ -33,7 +33,7 @@ struct LineTolerance {
     float radius = 0.1f;  ///< pixels
     float opacity = 1.0f / 16;
     /// By kind: a difference of depths in -1..1 times w².
-    std::array<float, laplacian_lines::line_kind_count> depth{};
+    std::array<float, laplacian_lines::kLineKindCount> depth{};
 };
 
 /// Input of the vertex shader, four consecutive points a call: it draws the segment between the
@@ -47,16 +47,16 @@ struct StreamPoint {
 };
 
 /// In place of a radius. Segments with a marked end are not drawn.
-constexpr float nothing_here = -1;    ///< before and after a line: its ends are round
-constexpr float neighbour_only = -2;  ///< around a closed line: a point to join to
+constexpr float kNothingHere = -1;    ///< before and after a line: its ends are round
+constexpr float kNeighbourOnly = -2;  ///< around a closed line: a point to join to
 
 /// Added to the look of a point from which on a line is an edge of the mesh.
-constexpr float edge_mark = 0.25f;
+constexpr float kEdgeMark = 0.25f;
 /// Likewise, of an edge that is hidden, whatever the depths say.
-constexpr float away_mark = 0.4f;
+constexpr float kAwayMark = 0.4f;
 
 /// The most points of a set: each line stands between two marks.
-std::size_t streamLength(const laplacian_lines::LineSet& lines);
+std::size_t stream_length(const laplacian_lines::LineSet& lines);
 
 struct StreamSettings {
     LineRadii radii;
@@ -70,25 +70,25 @@ struct StreamPart {
     std::size_t first, length;
 };
 
-/// Writes up to streamLength() points, on several threads, as parts with unwritten gaps between
+/// Writes up to stream_length() points, on several threads, as parts with unwritten gaps between
 /// them; never reads `stream`, which may be graphics memory. Drops points within the tolerance, but
 /// no ends. Outlines come last, above the others. Does not allocate unless there are more parts
 /// than before.
-void writeStream(const laplacian_lines::LineSet& lines, const StreamSettings& settings,
-                 StreamPoint* stream, std::vector<StreamPart>& parts);
+void write_stream(const laplacian_lines::LineSet& lines, const StreamSettings& settings,
+                  StreamPoint* stream, std::vector<StreamPart>& parts);
 
 /// From mesh to eye lengths, averaged over directions.
-inline double meanScale(const Eigen::Matrix4d& to_eye) {
+inline double mean_scale(const Eigen::Matrix4d& to_eye) {
     return std::cbrt(std::abs(to_eye.topLeftCorner<3, 3>().determinant()));
 }
 
-LineRadii lineRadii(const LineAppearance& appearance, double pixel_scale);
+LineRadii line_radii(const LineAppearance& appearance, double pixel_scale);
 
 /// How far lines of a look move towards the eye before the surface can hide them, eye coordinates.
-double lineClearance(std::size_t look, const LinePlacement& placement);
+double line_clearance(std::size_t look, const LinePlacement& placement);
 
 /// `half_viewport` in pixels.
-StreamSettings streamSettings(const LineAppearance& appearance, const LinePlacement& placement,
-                              const Eigen::Vector2f& half_viewport);
+StreamSettings stream_settings(const LineAppearance& appearance, const LinePlacement& placement,
+                               const Eigen::Vector2f& half_viewport);
 
 }  // namespace line_renderer

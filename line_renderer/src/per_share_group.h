@@ -39,7 +39,7 @@ public:
     }
 
     template <class Visit>
-    void forEach(Visit visit) {
+    void for_each(Visit visit) {
         for (auto& entry : entries_)
             if (entry.second.object) visit(*entry.second.object);
     }

@@ -8,7 +8,7 @@
 namespace line_renderer {
 namespace {
 
-const char* const vertex_shader = R"(#version 120
+const char* const kVertexShader = R"(#version 120
 varying vec2 at;
 void main()
 {
@@ -17,7 +17,7 @@ void main()
 }
 )";
 
-const char* const fragment_shader = R"(#version 120
+const char* const kFragmentShader = R"(#version 120
 uniform sampler2D grays;
 uniform vec4 ink;
 varying vec2 at;
@@ -30,7 +30,7 @@ void main()
 }  // namespace
 
 struct PictureRenderer::Objects {
-    ShaderProgram program{"The drawing cannot be shown", vertex_shader, fragment_shader};
+    ShaderProgram program{"The drawing cannot be shown", kVertexShader, kFragmentShader};
     GLuint texture = 0;
 };
 

@@ -8,7 +8,7 @@ namespace line_renderer {
 namespace {
 
 template <class GetParameter, class GetLog>
-std::string infoLog(GLuint object, GetParameter get_parameter, GetLog get_log) {
+std::string info_log(GLuint object, GetParameter get_parameter, GetLog get_log) {
     GLint length = 0;
     get_parameter(object, GL_INFO_LOG_LENGTH, &length);
     std::vector<char> text(std::size_t(length) + 1, '\0');
@@ -32,7 +32,7 @@ public:
         glCompileShader(id_);
         GLint compiled = GL_FALSE;
         glGetShaderiv(id_, GL_COMPILE_STATUS, &compiled);
-        if (!compiled) throw std::runtime_error(infoLog(id_, glGetShaderiv, glGetShaderInfoLog));
+        if (!compiled) throw std::runtime_error(info_log(id_, glGetShaderiv, glGetShaderInfoLog));
     }
 
 private:
@@ -50,14 +50,14 @@ GLuint link(const Shader& vertex, const Shader& fragment,
     GLint linked = GL_FALSE;
     glGetProgramiv(program, GL_LINK_STATUS, &linked);
     if (linked) return program;
-    const std::runtime_error failure(infoLog(program, glGetProgramiv, glGetProgramInfoLog));
+    const std::runtime_error failure(info_log(program, glGetProgramiv, glGetProgramInfoLog));
     glDeleteProgram(program);
     throw failure;
 }
 
 GLuint build(const char* vertex_shader, const char* fragment_shader,
              const std::vector<const char*>& attributes) {
-    if (!glFeatures().shaders) throw std::runtime_error("shaders (OpenGL 2.0) are not available.");
+    if (!gl_features().shaders) throw std::runtime_error("shaders (OpenGL 2.0) are not available.");
     const Shader vertex(GL_VERTEX_SHADER), fragment(GL_FRAGMENT_SHADER);
     vertex.compile(vertex_shader);
     fragment.compile(fragment_shader);

@@ -9,9 +9,9 @@ namespace line_renderer {
 namespace {
 
 /// Share of the tolerance for points behind those before them.
-constexpr float fallback_share = 0.2f;
+constexpr float kFallbackShare = 0.2f;
 /// Pixels; nearer than this values have to stay, instead of having a slope.
-constexpr float least_reach = 1e-3f;
+constexpr float kLeastReach = 1e-3f;
 
 float cross(const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
     return a.x() * b.y() - a.y() * b.x();
@@ -20,13 +20,13 @@ float cross(const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
 }  // namespace
 
 StraightPiece::StraightPiece(float tolerance)
-    : aside_((1 - fallback_share) * tolerance), fallback_(fallback_share * tolerance) {}
+    : aside_((1 - kFallbackShare) * tolerance), fallback_(kFallbackShare * tolerance) {}
 
 void StraightPiece::begin(const SeenPoint& start) {
     start_ = start;
     is_empty_ = true;
     is_open_ = start.is_before_eye;
-    reach_ = least_reach;
+    reach_ = kLeastReach;
     has_cone_ = false;
     least_slope_.fill(-std::numeric_limits<float>::infinity());
     greatest_slope_.fill(std::numeric_limits<float>::infinity());
@@ -36,17 +36,17 @@ bool StraightPiece::takes(const SeenPoint& point) {
     is_open_ = is_open_ && point.is_before_eye;
     const Vector offset = point.pixel - start_.pixel;
     const float distance = offset.norm();
-    if (!is_empty_ && !(is_open_ && canEnd(point, offset, distance))) return false;
+    if (!is_empty_ && !(is_open_ && can_end(point, offset, distance))) return false;
     is_empty_ = false;
     if (is_open_) narrow(point, offset, distance);
     return true;
 }
 
-bool StraightPiece::canEnd(const SeenPoint& point, const Vector& offset, float distance) const {
+bool StraightPiece::can_end(const SeenPoint& point, const Vector& offset, float distance) const {
     if (!(distance >= reach_ - fallback_)) return false;
     if (has_cone_ && !(cross(right_, offset) >= 0 && cross(offset, left_) >= 0)) return false;
     const float reach = std::max(reach_, distance);
-    for (int i = 0; i < seen_value_count; ++i) {
+    for (int i = 0; i < kSeenValueCount; ++i) {
         const float rise = point.values[i] - start_.values[i];
         if (!(rise >= least_slope_[i] * reach && rise <= greatest_slope_[i] * reach)) return false;
     }
@@ -55,13 +55,13 @@ bool StraightPiece::canEnd(const SeenPoint& point, const Vector& offset, float d
 
 void StraightPiece::narrow(const SeenPoint& point, const Vector& offset, float distance) {
     reach_ = std::max(reach_, distance);
-    narrowDirections(offset, distance);
-    narrowSlopes(point);
+    narrow_directions(offset, distance);
+    narrow_slopes(point);
 }
 
 /// Two points at the same distance from the start are 2 sin(angle / 2) times that apart. Cones are
 /// at most as wide as a half plane.
-void StraightPiece::narrowDirections(const Vector& offset, float distance) {
+void StraightPiece::narrow_directions(const Vector& offset, float distance) {
     if (distance <= aside_ / 2) return;
     const float ratio = aside_ / distance;
     const float cosine = std::max(0.0f, 1 - ratio * ratio / 2);
@@ -75,9 +75,9 @@ void StraightPiece::narrowDirections(const Vector& offset, float distance) {
     has_cone_ = true;
 }
 
-void StraightPiece::narrowSlopes(const SeenPoint& point) {
+void StraightPiece::narrow_slopes(const SeenPoint& point) {
     const float a_pixel = 1 / reach_;
-    for (int i = 0; i < seen_value_count; ++i) {
+    for (int i = 0; i < kSeenValueCount; ++i) {
         const float rise = point.values[i] - start_.values[i];
         const float tolerance = point.tolerance[i];
         least_slope_[i] = std::max(least_slope_[i], (rise - tolerance) * a_pixel);

@@ -7,8 +7,8 @@
 namespace line_renderer {
 
 /// What a segment interpolates on the screen.
-enum SeenValue { SeenDepth, SeenRadius, SeenOpacity, seen_value_count };
-using SeenValues = std::array<float, seen_value_count>;
+enum SeenValue { SeenDepth, SeenRadius, SeenOpacity, kSeenValueCount };
+using SeenValues = std::array<float, kSeenValueCount>;
 
 struct SeenPoint {
     Eigen::Vector2f pixel = Eigen::Vector2f::Zero();
@@ -39,10 +39,10 @@ public:
 private:
     using Vector = Eigen::Vector2f;
 
-    bool canEnd(const SeenPoint& point, const Vector& offset, float distance) const;
+    bool can_end(const SeenPoint& point, const Vector& offset, float distance) const;
     void narrow(const SeenPoint& point, const Vector& offset, float distance);
-    void narrowDirections(const Vector& offset, float distance);
-    void narrowSlopes(const SeenPoint& point);
+    void narrow_directions(const Vector& offset, float distance);
+    void narrow_slopes(const SeenPoint& point);
 
     const float aside_;     ///< pixels beside the segment
     const float fallback_;  ///< pixels by which the distance from the start may fall

@@ -22,7 +22,7 @@ struct Buffers {
 
 /// Leaves the buffer bound.
 template <class T>
-GLuint makeBuffer(GLenum target, const std::vector<T>& content) {
+GLuint make_buffer(GLenum target, const std::vector<T>& content) {
     GLuint buffer = 0;
     glGenBuffers(1, &buffer);
     glBindBuffer(target, buffer);
@@ -36,7 +36,7 @@ const void* offset(std::size_t bytes) {
 
 }  // namespace
 
-SurfacePointer makeSurface(const TriangleMesh& mesh, const Field& field) {
+SurfacePointer make_surface(const TriangleMesh& mesh, const Field& field) {
     auto surface = std::make_shared<Surface>();
     surface->vertices.reserve(mesh.positions.size());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
@@ -53,7 +53,7 @@ SurfacePointer makeSurface(const TriangleMesh& mesh, const Field& field) {
     return surface;
 }
 
-std::size_t bytesOf(const Surface& surface) {
+std::size_t bytes_of(const Surface& surface) {
     return surface.vertices.capacity() * sizeof(SurfaceVertex) +
            surface.triangles.capacity() * sizeof(Triangle);
 }
@@ -64,14 +64,14 @@ public:
         const auto [entry, is_new] = buffers_.try_emplace(surface);
         Buffers& buffers = entry->second;
         if (is_new) {
-            buffers.vertices = makeBuffer(GL_ARRAY_BUFFER, surface->vertices);
-            buffers.triangles = makeBuffer(GL_ELEMENT_ARRAY_BUFFER, surface->triangles);
+            buffers.vertices = make_buffer(GL_ARRAY_BUFFER, surface->vertices);
+            buffers.triangles = make_buffer(GL_ELEMENT_ARRAY_BUFFER, surface->triangles);
         }
         glBindBuffer(GL_ARRAY_BUFFER, buffers.vertices);
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers.triangles);
     }
 
-    void freeExpired() {
+    void free_expired() {
         for (auto entry = buffers_.begin(); entry != buffers_.end();) {
             if (!entry->first.expired()) {
                 ++entry;
@@ -95,7 +95,7 @@ void SurfaceBuffers::draw(const SurfaceLayer& layer) {
     const SurfacePointer surface = layer.surface.lock();
     if (!surface) return;
     Group& group = groups_->current();
-    group.freeExpired();
+    group.free_expired();
     group.bind(surface);
     glEnableClientState(GL_VERTEX_ARRAY);
     glEnableClientState(GL_NORMAL_ARRAY);

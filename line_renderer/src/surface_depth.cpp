@@ -13,7 +13,7 @@ namespace {
 
 using Viewport = std::array<GLint, 4>;
 
-Viewport currentViewport() {
+Viewport current_viewport() {
     Viewport viewport;
     glGetIntegerv(GL_VIEWPORT, viewport.data());
     return viewport;
@@ -32,12 +32,12 @@ struct DrawnScene {
     }
 };
 
-DrawnScene currentScene(const std::vector<SurfaceLayer>& layers) {
+DrawnScene current_scene(const std::vector<SurfaceLayer>& layers) {
     DrawnScene scene;
     scene.layers = layers;
     glGetDoublev(GL_MODELVIEW_MATRIX, scene.modelview.data());
     glGetDoublev(GL_PROJECTION_MATRIX, scene.projection.data());
-    scene.viewport = currentViewport();
+    scene.viewport = current_viewport();
     return scene;
 }
 
@@ -47,7 +47,7 @@ class DepthFramebuffer {
 public:
     /// @throws std::runtime_error if there are no framebuffer objects, or not for this texture
     explicit DepthFramebuffer(GLuint texture) {
-        if (!glFeatures().framebuffers)
+        if (!gl_features().framebuffers)
             throw std::runtime_error(
                 "Lines over points and wires need framebuffer objects (OpenGL 3.0): show the layer "
                 "filled.");
@@ -96,7 +96,7 @@ void render(GLuint texture, const std::vector<SurfaceLayer>& layers, SurfaceBuff
 
 class SurfaceDepth::Texture {
 public:
-    void forgetCopy() { copied_.reset(); }
+    void forget_copy() { copied_.reset(); }
 
     void copy(const Viewport& viewport) {
         enlarge(viewport);
@@ -155,27 +155,27 @@ SurfaceDepth::SurfaceDepth() : textures_(std::make_unique<PerShareGroup<Texture>
 
 SurfaceDepth::~SurfaceDepth() = default;
 
-void SurfaceDepth::forgetDepthBuffer() {
-    textures_->forEach([](Texture& texture) { texture.forgetCopy(); });
+void SurfaceDepth::forget_depth_buffer() {
+    textures_->for_each([](Texture& texture) { texture.forget_copy(); });
 }
 
-bool SurfaceDepth::canCopy() {
+bool SurfaceDepth::can_copy() {
     GLint framebuffer = 0, samples = 0;
     glGetIntegerv(GL_SAMPLES, &samples);
-    if (glFeatures().framebuffers) glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &framebuffer);
+    if (gl_features().framebuffers) glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &framebuffer);
     return framebuffer == 0 || samples == 0;
 }
 
 DepthTexture SurfaceDepth::copy() {
     Texture& texture = textures_->current();
-    texture.copy(currentViewport());
+    texture.copy(current_viewport());
     return texture.content();
 }
 
 DepthTexture SurfaceDepth::update(const std::vector<SurfaceLayer>& layers,
                                   SurfaceBuffers& buffers) {
     Texture& texture = textures_->current();
-    texture.update(currentScene(layers), buffers);
+    texture.update(current_scene(layers), buffers);
     return texture.content();
 }
 

@@ -10,11 +10,11 @@ namespace line_renderer {
 namespace {
 
 /// How far paint may move to cover wires and points, in diagonals.
-constexpr double least_move = 0.0005;
-constexpr double greatest_move = 0.03;
+constexpr double kLeastMove = 0.0005;
+constexpr double kGreatestMove = 0.03;
 
 // Paints faces, slightly nearer to the eye, in flat tones by the angle between normal and ray.
-const char* const surface_vertex_shader = R"(#version 120
+const char* const kSurfaceVertexShader = R"(#version 120
 varying vec3 eye_position;
 varying vec3 eye_normal;
 
@@ -30,7 +30,7 @@ void main()
 // Depth: MeshLab's wires and points are flat on the screen, so on a slope they stand out by what it
 // falls in half their width, and at a fold over the part behind. Only the compared depth is moved;
 // none is written.
-const char* const surface_fragment_shader = R"(#version 120
+const char* const kSurfaceFragmentShader = R"(#version 120
 uniform bool is_toon;
 uniform vec2 nearer;  // least and greatest move towards the eye, length in eye coordinates
 uniform sampler2D surface_depth;  // of the nearest faces
@@ -102,14 +102,14 @@ void main()
 )";
 
 // At the depth of an empty view.
-const char* const background_vertex_shader = R"(#version 120
+const char* const kBackgroundVertexShader = R"(#version 120
 void main()
 {
     gl_Position = vec4(gl_Vertex.xy, 1.0, 1.0);
 }
 )";
 
-const char* const background_fragment_shader = R"(#version 120
+const char* const kBackgroundFragmentShader = R"(#version 120
 void main()
 {
     gl_FragColor = vec4(1.0);
@@ -128,16 +128,16 @@ void SurfaceRenderer::paint(const SurfaceLayer& layer, SurfaceStyle style,
                             const Eigen::Matrix4d& to_eye, const DepthTexture& depth,
                             SurfaceBuffers& buffers) {
     const ShaderProgram& program = surface_programs_->current([] {
-        return ShaderProgram("The surface cannot be painted", surface_vertex_shader,
-                             surface_fragment_shader);
+        return ShaderProgram("The surface cannot be painted", kSurfaceVertexShader,
+                             kSurfaceFragmentShader);
     });
     const GlState state;
     glDisable(GL_BLEND);
     program.use();
     program.set("is_toon", style == SurfaceStyle::Toon);
-    const double diagonal = layer.diagonal * meanScale(to_eye);
+    const double diagonal = layer.diagonal * mean_scale(to_eye);
     program.set("nearer",
-                Eigen::Vector2f(float(least_move * diagonal), float(greatest_move * diagonal)));
+                Eigen::Vector2f(float(kLeastMove * diagonal), float(kGreatestMove * diagonal)));
     const bool is_needed = !depth.is_complete;
     glBindTexture(GL_TEXTURE_2D, is_needed ? depth.id : 0);
     program.set("surface_depth", 0);
@@ -145,10 +145,10 @@ void SurfaceRenderer::paint(const SurfaceLayer& layer, SurfaceStyle style,
     buffers.draw(layer);
 }
 
-void SurfaceRenderer::paintBackground() {
+void SurfaceRenderer::paint_background() {
     const ShaderProgram& program = background_programs_->current([] {
-        return ShaderProgram("The background cannot be painted", background_vertex_shader,
-                             background_fragment_shader);
+        return ShaderProgram("The background cannot be painted", kBackgroundVertexShader,
+                             kBackgroundFragmentShader);
     });
     const GlState state;
     glDisable(GL_BLEND);

@@ -6,35 +6,35 @@
 
 namespace meshlab_host {
 
-bool isOrthographic(const Eigen::Matrix4d& projection) {
+bool is_orthographic(const Eigen::Matrix4d& projection) {
     // The last row makes w: (0, 0, 0, 1), or (0, 0, -1, 0) in perspective.
     return projection(3, 2) == 0;
 }
 
-Eigen::Vector2d frustumOffset(const Eigen::Matrix4d& projection) {
+Eigen::Vector2d frustum_offset(const Eigen::Matrix4d& projection) {
     // Perspective divides by -z, hence the sign.
-    return isOrthographic(projection) ? Eigen::Vector2d(projection.col(3).head<2>())
-                                      : Eigen::Vector2d(-projection.col(2).head<2>());
+    return is_orthographic(projection) ? Eigen::Vector2d(projection.col(3).head<2>())
+                                       : Eigen::Vector2d(-projection.col(2).head<2>());
 }
 
 namespace {
 
-void moveToMiddle(Eigen::Matrix4d& projection) {
-    projection.col(isOrthographic(projection) ? 3 : 2).head<2>().setZero();
+void move_to_middle(Eigen::Matrix4d& projection) {
+    projection.col(is_orthographic(projection) ? 3 : 2).head<2>().setZero();
 }
 
-bool isWhole(double number) {
+bool is_whole(double number) {
     return std::abs(number - std::round(number)) < 1e-3;
 }
 
 /// Tiles start at the lower left.
-bool isFirstTile(const Eigen::Vector2d& offset) {
-    return offset.x() > 0.5 && std::abs(offset.x() - offset.y()) < 1e-3 && isWhole(offset.x());
+bool is_first_tile(const Eigen::Vector2d& offset) {
+    return offset.x() > 0.5 && std::abs(offset.x() - offset.y()) < 1e-3 && is_whole(offset.x());
 }
 
 }  // namespace
 
-CameraMatrices cameraFromGl() {
+CameraMatrices camera_from_gl() {
     CameraMatrices camera;
     // Both OpenGL and Eigen store columns.
     glGetDoublev(GL_MODELVIEW_MATRIX, camera.modelview.data());
@@ -42,7 +42,7 @@ CameraMatrices cameraFromGl() {
     return camera;
 }
 
-Eigen::Matrix4d layerTransform(const CMeshO& mesh) {
+Eigen::Matrix4d layer_transform(const CMeshO& mesh) {
     Eigen::Matrix4d result;
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 4; ++column)
@@ -50,7 +50,7 @@ Eigen::Matrix4d layerTransform(const CMeshO& mesh) {
     return result;
 }
 
-std::optional<Similarity> similarityOf(const Eigen::Matrix4d& transform) {
+std::optional<Similarity> similarity_of(const Eigen::Matrix4d& transform) {
     constexpr double tolerance = 1e-4;  // MeshLab's transformations are floats
     const Eigen::Matrix3d linear = transform.topLeftCorner<3, 3>();
     const double factor = std::cbrt(linear.determinant());
@@ -60,12 +60,12 @@ std::optional<Similarity> similarityOf(const Eigen::Matrix4d& transform) {
     return Similarity{rotation, factor};
 }
 
-double meanScale(const Eigen::Matrix4d& transform) {
+double mean_scale(const Eigen::Matrix4d& transform) {
     return std::cbrt(std::abs(transform.topLeftCorner<3, 3>().determinant()));
 }
 
-std::optional<laplacian_lines::View> viewFrom(const Eigen::Vector4d& eye,
-                                              const Eigen::Matrix4d& to_world) {
+std::optional<laplacian_lines::View> view_from(const Eigen::Vector4d& eye,
+                                               const Eigen::Matrix4d& to_world) {
     const Eigen::Vector4d in_mesh = to_world.inverse() * eye;
     if (!in_mesh.allFinite() || in_mesh.isZero(0)) return std::nullopt;
     const Eigen::Vector3d direction = in_mesh.head<3>();
@@ -74,24 +74,24 @@ std::optional<laplacian_lines::View> viewFrom(const Eigen::Vector4d& eye,
     return laplacian_lines::View::perspective(direction / in_mesh.w());
 }
 
-std::optional<laplacian_lines::View> viewFromMatrices(const Eigen::Matrix4d& modelview,
-                                                      const Eigen::Matrix4d& projection,
-                                                      const Eigen::Matrix4d& layer) {
+std::optional<laplacian_lines::View> view_from_matrices(const Eigen::Matrix4d& modelview,
+                                                        const Eigen::Matrix4d& projection,
+                                                        const Eigen::Matrix4d& layer) {
     // In eye coordinates it is the origin, or infinitely far along +z.
-    const bool is_orthographic = isOrthographic(projection);
-    return viewFrom(is_orthographic ? Eigen::Vector4d::UnitZ() : Eigen::Vector4d::UnitW(),
-                    modelview * layer);
+    const bool is_parallel = is_orthographic(projection);
+    return view_from(is_parallel ? Eigen::Vector4d::UnitZ() : Eigen::Vector4d::UnitW(),
+                     modelview * layer);
 }
 
-Eigen::Vector3d towardsLight(double azimuth) {
+Eigen::Vector3d towards_light(double azimuth) {
     const double degree = std::acos(-1.0) / 180, elevation = 45 * degree;
     return {std::cos(elevation) * std::sin(azimuth * degree),
             std::cos(elevation) * std::cos(azimuth * degree), std::sin(elevation)};
 }
 
-std::optional<Eigen::Vector3d> directionInMesh(const Eigen::Vector3d& direction,
-                                               const Eigen::Matrix4d& modelview,
-                                               const Eigen::Matrix4d& layer) {
+std::optional<Eigen::Vector3d> direction_in_mesh(const Eigen::Vector3d& direction,
+                                                 const Eigen::Matrix4d& modelview,
+                                                 const Eigen::Matrix4d& layer) {
     const Eigen::Matrix3d to_mesh = (modelview * layer).topLeftCorner<3, 3>().inverse();
     const Eigen::Vector3d result = to_mesh * direction;
     if (!result.allFinite() || !(result.norm() > 0)) return std::nullopt;
@@ -103,10 +103,10 @@ double SnapshotTiles::scale(const CameraMatrices& camera) {
     const bool is_next = scale_ > 1 && camera.modelview.isApprox(camera_.modelview, 1e-6) &&
                          std::abs(camera.projection(1, 1) / camera_.projection(1, 1) - 1) < 1e-5;
     if (is_next) return scale_;
-    const Eigen::Vector2d place = frustumOffset(camera.projection);
-    if (!isFirstTile(place)) return 1;
+    const Eigen::Vector2d place = frustum_offset(camera.projection);
+    if (!is_first_tile(place)) return 1;
     camera_ = middle_ = camera;
-    moveToMiddle(middle_.projection);
+    move_to_middle(middle_.projection);
     scale_ = 1 + std::round(place.x());
     return scale_;
 }

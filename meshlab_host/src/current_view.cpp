@@ -27,10 +27,10 @@ private:
 namespace {
 
 // A name of our own: all who have asked a view hear each answer.
-const char* const request = "laplacian_lines_current_view";
+const char* const kRequest = "laplacian_lines_current_view";
 
 /// The window of the current document, null without one.
-QWidget* documentWindow() {
+QWidget* document_window() {
     if (!qobject_cast<QApplication*>(QCoreApplication::instance())) return nullptr;
     for (QWidget* widget : QApplication::allWidgets())
         if (auto* area = qobject_cast<QMdiArea*>(widget))
@@ -38,17 +38,17 @@ QWidget* documentWindow() {
     return nullptr;
 }
 
-bool isView(const QWidget* widget) {
+bool is_view(const QWidget* widget) {
     return widget && widget->inherits("GLArea");
 }
 
 /// MeshLab's current view: the one that had the focus last, or else the newest.
-QWidget* viewIn(QWidget& window) {
+QWidget* view_in(QWidget& window) {
     QWidget* last = nullptr;
     for (QWidget* child : window.findChildren<QWidget*>()) {
-        if (child->inherits("MultiViewer_Container") && isView(child->focusWidget()))
+        if (child->inherits("MultiViewer_Container") && is_view(child->focusWidget()))
             return child->focusWidget();
-        if (isView(child)) last = child;
+        if (is_view(child)) last = child;
     }
     return last;
 }
@@ -65,17 +65,17 @@ std::optional<Shotm> ShotReceiver::ask(QObject& view) {
                           SLOT(receive(QString, Shotm)), Qt::DirectConnection))
         return std::nullopt;
     QMetaObject::invokeMethod(&view, "sendViewerShot", Qt::DirectConnection,
-                              Q_ARG(QString, QString(request)));
+                              Q_ARG(QString, QString(kRequest)));
     return receiver.shot_;
 }
 
 void ShotReceiver::receive(QString name, Shotm shot) {
-    if (name == request) shot_ = shot;
+    if (name == kRequest) shot_ = shot;
 }
 
-std::optional<CurrentView> currentView() {
-    QWidget* window = documentWindow();
-    QWidget* view = window ? viewIn(*window) : nullptr;
+std::optional<CurrentView> current_view() {
+    QWidget* window = document_window();
+    QWidget* view = window ? view_in(*window) : nullptr;
     const std::optional<Shotm> shot = view ? ShotReceiver::ask(*view) : std::nullopt;
     if (!shot) return std::nullopt;
     // Type 1 is orthographic, as in views that MeshLab copies as text.

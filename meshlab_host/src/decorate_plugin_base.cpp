@@ -36,10 +36,10 @@ void DecoratePluginBase::say(const QString& line) {
 bool DecoratePluginBase::startDecorate(ActionPointer, MeshModel& mesh,
                                        const RichParameterList* parameters, GLArea* view) {
     if (!exists(mesh)) {
-        meshGone(view);
+        mesh_gone(view);
         return false;
     }
-    if (MeshDocument* document = documentOf(mesh))
+    if (MeshDocument* document = document_of(mesh))
         setLog(&document->Log);  // MeshLab may have set another, or none
     return start(mesh, parameters ? *parameters : RichParameterList(), view);
 }
@@ -57,12 +57,12 @@ void DecoratePluginBase::endDecorate(ActionPointer, MeshModel& mesh, const RichP
     if (exists(mesh))
         end(mesh, view);
     else
-        meshGone(view);
+        mesh_gone(view);
 }
 
 void DecoratePluginBase::endDecorate(ActionPointer, MeshDocument&, const RichParameterList*,
                                      GLArea* view) {
-    endAll(view);
+    end_all(view);
 }
 
 }  // namespace meshlab_host

@@ -34,7 +34,7 @@ private:
 
 bool holds(const MeshDocument* document, const MeshModel& mesh) {
     if (!document) return false;
-    const std::vector<const MeshModel*> layers = layersOf(*document);
+    const std::vector<const MeshModel*> layers = layers_of(*document);
     return std::find(layers.begin(), layers.end(), &mesh) != layers.end();
 }
 
@@ -48,7 +48,7 @@ bool holds(const MeshDocument* document, const MeshModel& mesh) {
 
 }  // namespace
 
-MLSceneGLSharedDataContext* sceneOf(const MeshModel& mesh) {
+MLSceneGLSharedDataContext* scene_of(const MeshModel& mesh) {
     static WatchedDocuments documents;
     MLSceneGLSharedDataContext* found = nullptr;
     // A widget that is never shown and has no parent; all are visited, to watch them.
@@ -59,7 +59,7 @@ MLSceneGLSharedDataContext* sceneOf(const MeshModel& mesh) {
     return found;
 }
 
-MLSceneGLSharedDataContext* sceneOf(const MeshDocument& document) {
+MLSceneGLSharedDataContext* scene_of(const MeshDocument& document) {
     if (!qobject_cast<QApplication*>(QCoreApplication::instance())) return nullptr;
     for (QWidget* widget : QApplication::allWidgets())
         if (auto* scene = qobject_cast<MLSceneGLSharedDataContext*>(widget))
@@ -67,12 +67,12 @@ MLSceneGLSharedDataContext* sceneOf(const MeshDocument& document) {
     return nullptr;
 }
 
-MeshDocument* documentOf(const MeshModel& mesh) {
-    MLSceneGLSharedDataContext* scene = sceneOf(mesh);
+MeshDocument* document_of(const MeshModel& mesh) {
+    MLSceneGLSharedDataContext* scene = scene_of(mesh);
     return scene ? &scene->meshDoc() : nullptr;
 }
 
-std::vector<const MeshModel*> layersOf(const MeshDocument& document) {
+std::vector<const MeshModel*> layers_of(const MeshDocument& document) {
     std::vector<const MeshModel*> layers;
 #if MESHLAB_API < 2022
     for (const MeshModel* mesh : document.meshList)
@@ -84,22 +84,23 @@ std::vector<const MeshModel*> layersOf(const MeshDocument& document) {
     return layers;
 }
 
-std::vector<int> layerIds(const MeshDocument& document, bool only_shown) {
+std::vector<int> layer_ids(const MeshDocument& document, bool only_shown) {
     std::vector<int> ids;
-    for (const MeshModel* layer : layersOf(document))
+    for (const MeshModel* layer : layers_of(document))
         if (!only_shown || layer->isVisible()) ids.push_back(int(layer->id()));
     std::sort(ids.begin(), ids.end());
     return ids;
 }
 
-void whenMeshesChange(const MeshDocument* document, QObject* receiver,
-                      const std::function<void(const std::vector<int>&)>& changed) {
+void when_meshes_change(const MeshDocument* document, QObject* receiver,
+                        const std::function<void(const std::vector<int>&)>& changed) {
     QObject::connect(document, &MeshDocument::meshSetChanged, receiver,
-                     [=] { changed(layerIds(*document)); });
+                     [=] { changed(layer_ids(*document)); });
     QObject::connect(document, &QObject::destroyed, receiver, [=] { changed({}); });
 }
 
-void writeOnView(GLLogStream& log, const QString& title, const QString& mesh, const QString& text) {
+void write_on_view(GLLogStream& log, const QString& title, const QString& mesh,
+                   const QString& text) {
 #if MESHLAB_API < 2022
     log.RealTimeLog(title, mesh, text);
 #else
@@ -107,7 +108,7 @@ void writeOnView(GLLogStream& log, const QString& title, const QString& mesh, co
 #endif
 }
 
-void recordAs(const QString& filter, const RichParameterList& parameters, MeshDocument& document) {
+void record_as(const QString& filter, const RichParameterList& parameters, MeshDocument& document) {
     QTimer::singleShot(0, &document,
                        [filter, parameters, &document] {  // some MeshLabs record afterwards
                            FilterScript& history = itself(document.filterHistory);

@@ -12,40 +12,40 @@
 namespace meshlab_host {
 namespace {
 
-const char* const property = "laplacian_lines_drawn_style";
-const char* const azimuth = "light_azimuth";
-const char* const hidden = "hidden_lines";
+const char* const kProperty = "laplacian_lines_drawn_style";
+const char* const kAzimuth = "light_azimuth";
+const char* const kHidden = "hidden_lines";
 
 // The kinds' own keys are those of their switches.
-QString colorKey(const laplacian_lines::LineKindDescription& kind) {
+QString color_key(const laplacian_lines::LineKindDescription& kind) {
     return QString("color_of_") + kind.key;
 }
 
 }  // namespace
 
-KindColors usualKindColors() {
+KindColors usual_kind_colors() {
     KindColors colors;
     std::transform(
-        laplacian_lines::line_kinds.begin(), laplacian_lines::line_kinds.end(), colors.begin(),
+        laplacian_lines::kLineKinds.begin(), laplacian_lines::kLineKinds.end(), colors.begin(),
         [](const laplacian_lines::LineKindDescription& kind) { return QColor(kind.color).rgb(); });
     return colors;
 }
 
-void noteDrawnStyle(const DrawnStyle& drawn) {
+void note_drawn_style(const DrawnStyle& drawn) {
     QVariantMap map;
     for (const auto& row : laplacian_lines::line_style_table())
         map[row.key] = row.get(drawn.style);
-    for (const auto& kind : laplacian_lines::line_kinds)
-        map[colorKey(kind)] = drawn.colors[std::size_t(kind.kind)];
-    map[hidden] = drawn.shows_hidden;
-    if (drawn.light_azimuth) map[azimuth] = *drawn.light_azimuth;
+    for (const auto& kind : laplacian_lines::kLineKinds)
+        map[color_key(kind)] = drawn.colors[std::size_t(kind.kind)];
+    map[kHidden] = drawn.shows_hidden;
+    if (drawn.light_azimuth) map[kAzimuth] = *drawn.light_azimuth;
     if (QObject* application = QCoreApplication::instance())
-        application->setProperty(property, map);
+        application->setProperty(kProperty, map);
 }
 
-DrawnStyle demandDrawnStyle() {
+DrawnStyle demand_drawn_style() {
     const QObject* application = QCoreApplication::instance();
-    const QVariantMap map = application ? application->property(property).toMap() : QVariantMap();
+    const QVariantMap map = application ? application->property(kProperty).toMap() : QVariantMap();
     if (map.isEmpty())
         laplacian_lines::refuse(
             "The decoration Laplacian Lines has drawn nothing here. Switch it on in MeshLab's "
@@ -53,12 +53,12 @@ DrawnStyle demandDrawnStyle() {
     DrawnStyle drawn;
     for (const auto& row : laplacian_lines::line_style_table())
         row.set(drawn.style, map.value(row.key, row.get(drawn.style)).toDouble());
-    for (const auto& kind : laplacian_lines::line_kinds) {
+    for (const auto& kind : laplacian_lines::kLineKinds) {
         QRgb& color = drawn.colors[std::size_t(kind.kind)];
-        color = map.value(colorKey(kind), color).toUInt();
+        color = map.value(color_key(kind), color).toUInt();
     }
-    drawn.shows_hidden = map.value(hidden).toBool();
-    if (map.contains(azimuth)) drawn.light_azimuth = map.value(azimuth).toDouble();
+    drawn.shows_hidden = map.value(kHidden).toBool();
+    if (map.contains(kAzimuth)) drawn.light_azimuth = map.value(kAzimuth).toDouble();
     return drawn;
 }
 

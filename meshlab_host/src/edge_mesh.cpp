@@ -18,27 +18,27 @@ using laplacian_lines::TriangleMesh;
 
 namespace {
 
-std::uint32_t vertexCount(const Polyline& line) {
+std::uint32_t vertex_count(const Polyline& line) {
     return line.closed ? line.count - 1 : line.count;
 }
 
 /// Calls visit(vertex, point, line, number of the line), in order.
 template <class Visit>
-void visitVertices(const LineSet& lines, Visit visit) {
+void visit_vertices(const LineSet& lines, Visit visit) {
     std::size_t vertex = 0;
     for (std::size_t number = 0; number < lines.lines.size(); ++number) {
         const Polyline& line = lines.lines[number];
-        for (std::uint32_t i = 0; i < vertexCount(line); ++i)
+        for (std::uint32_t i = 0; i < vertex_count(line); ++i)
             visit(vertex++, lines.points[line.first + i], line, number);
     }
 }
 
-void addVertices(const LineSet& lines, CMeshO& mesh) {
+void add_vertices(const LineSet& lines, CMeshO& mesh) {
     std::size_t count = 0;
     for (const Polyline& line : lines.lines)
-        count += vertexCount(line);
+        count += vertex_count(line);
     vcg::tri::Allocator<CMeshO>::AddVertices(mesh, count);
-    visitVertices(
+    visit_vertices(
         lines, [&](std::size_t vertex, const LinePoint& point, const Polyline&, std::size_t) {
             const Eigen::Vector3d p = lines.place(point);
             mesh.vert[vertex].P() = Point3m(Scalarm(p.x()), Scalarm(p.y()), Scalarm(p.z()));
@@ -46,11 +46,11 @@ void addVertices(const LineSet& lines, CMeshO& mesh) {
         });
 }
 
-void addEdges(const LineSet& lines, CMeshO& mesh) {
+void add_edges(const LineSet& lines, CMeshO& mesh) {
     auto edge = vcg::tri::Allocator<CMeshO>::AddEdges(mesh, lines.segment_count());
     std::size_t first = 0;
     for (const Polyline& line : lines.lines) {
-        const std::uint32_t vertices = vertexCount(line);
+        const std::uint32_t vertices = vertex_count(line);
         for (std::uint32_t i = 0; i + 1 < line.count; ++i, ++edge) {
             edge->V(0) = &mesh.vert[first + i];
             edge->V(1) = &mesh.vert[first + (i + 1) % vertices];
@@ -60,7 +60,7 @@ void addEdges(const LineSet& lines, CMeshO& mesh) {
 }
 
 /// By vertex, twice the area of its triangles long; zero without any, or where they are not finite.
-std::vector<Eigen::Vector3d> normalsOf(const TriangleMesh& surface) {
+std::vector<Eigen::Vector3d> normals_of(const TriangleMesh& surface) {
     std::vector<Eigen::Vector3d> normals(surface.positions.size(), Eigen::Vector3d::Zero());
     for (const laplacian_lines::Triangle& t : surface.triangles) {
         const Eigen::Vector3d& a = surface.positions[t[0]];
@@ -74,7 +74,7 @@ std::vector<Eigen::Vector3d> normalsOf(const TriangleMesh& surface) {
 
 struct OrientedPoints {
     explicit OrientedPoints(const TriangleMesh& surface) {
-        const std::vector<Eigen::Vector3d> all = normalsOf(surface);
+        const std::vector<Eigen::Vector3d> all = normals_of(surface);
         for (std::size_t i = 0; i < all.size(); ++i) {
             const Eigen::Vector3d n = all[i].stableNormalized();
             if (n.isZero(0)) continue;
@@ -89,18 +89,18 @@ struct OrientedPoints {
 
 }  // namespace
 
-void toEdgeMesh(const LineSet& lines, CMeshO& mesh) {
-    addVertices(lines, mesh);
-    addEdges(lines, mesh);
+void to_edge_mesh(const LineSet& lines, CMeshO& mesh) {
+    add_vertices(lines, mesh);
+    add_edges(lines, mesh);
     const auto column = [&](const char* name) {
-        return demandVertexValues<Scalarm>(mesh, name).data();
+        return demand_vertex_values<Scalarm>(mesh, name).data();
     };
     Scalarm *const numbers = column("ll_line"), *const kinds = column("ll_kind"),
                    *const strengths = column("ll_strength"), *const slopes = column("ll_slope"),
                    *const weights = column("ll_weight"), *const gradients = column("ll_gradient"),
                    *const opacities = column("ll_opacity");
-    visitVertices(lines, [&](std::size_t vertex, const LinePoint& point, const Polyline& line,
-                             std::size_t number) {
+    visit_vertices(lines, [&](std::size_t vertex, const LinePoint& point, const Polyline& line,
+                              std::size_t number) {
         numbers[vertex] = Scalarm(number);
         kinds[vertex] = Scalarm(int(line.kind));
         strengths[vertex] = line.strength;
@@ -112,15 +112,15 @@ void toEdgeMesh(const LineSet& lines, CMeshO& mesh) {
     vcg::tri::UpdateBounding<CMeshO>::Box(mesh);
 }
 
-void setColors(const LineSet& lines, const KindColors& colors, CMeshO& mesh) {
-    visitVertices(
+void set_colors(const LineSet& lines, const KindColors& colors, CMeshO& mesh) {
+    visit_vertices(
         lines, [&](std::size_t vertex, const LinePoint&, const Polyline& line, std::size_t) {
             const QColor color(colors.at(std::size_t(line.kind)));
             mesh.vert[vertex].C() = vcg::Color4b(color.red(), color.green(), color.blue(), 255);
         });
 }
 
-void setNormals(const TriangleMesh& surface, CMeshO& mesh) {
+void set_normals(const TriangleMesh& surface, CMeshO& mesh) {
     const OrientedPoints points(surface);
     if (points.positions.empty()) return;
     vcg::KdTree<Scalarm> tree(vcg::ConstDataWrapper<Point3m>(

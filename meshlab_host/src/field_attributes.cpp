@@ -14,14 +14,14 @@
 namespace meshlab_host {
 
 using laplacian_lines::Field;
-using laplacian_lines::field_columns;
 using laplacian_lines::FieldAttribute;
 using laplacian_lines::FieldColumn;
+using laplacian_lines::kFieldColumns;
 
 namespace {
 
 constexpr const char* record_attribute = "ll_record";
-static_assert(field_columns.size() <= 32, "FieldRecord::columns has a bit a row");
+static_assert(kFieldColumns.size() <= 32, "FieldRecord::columns has a bit a row");
 
 /// Conversion between floats and attribute values.
 template <class Value>
@@ -48,7 +48,7 @@ using Columns = std::vector<FieldColumn>;
 
 /// Calls visit(column, attribute, number of its first float, Stored<its type>()).
 template <class Visit>
-void visitAttributes(const Columns& columns, Visit visit) {
+void visit_attributes(const Columns& columns, Visit visit) {
     for (const FieldColumn& column : columns) {
         int first = 0;
         for (const FieldAttribute& attribute : column.attributes) {
@@ -59,70 +59,70 @@ void visitAttributes(const Columns& columns, Visit visit) {
     }
 }
 
-Columns recordedColumns(const FieldRecord& record) {
+Columns recorded_columns(const FieldRecord& record) {
     Columns columns;
-    for (std::size_t i = 0; i < field_columns.size(); ++i)
-        if (record.columns >> i & 1u) columns.push_back(field_columns[i]);
+    for (std::size_t i = 0; i < kFieldColumns.size(); ++i)
+        if (record.columns >> i & 1u) columns.push_back(kFieldColumns[i]);
     return columns;
 }
 
 /// By live index (see mesh_conversion.h). Attributes are read one by one, the much larger vertices
 /// at most once.
-std::vector<std::uint32_t> liveSlots(const CMeshO& mesh) {
-    std::vector<std::uint32_t> live_slots(std::size_t(mesh.vn), 0);
-    if (!hasDeletedVertices(mesh)) {
-        std::iota(live_slots.begin(), live_slots.end(), 0u);
-        return live_slots;
+std::vector<std::uint32_t> live_slots(const CMeshO& mesh) {
+    std::vector<std::uint32_t> live_places(std::size_t(mesh.vn), 0);
+    if (!has_deleted_vertices(mesh)) {
+        std::iota(live_places.begin(), live_places.end(), 0u);
+        return live_places;
     }
-    auto next = live_slots.begin();
+    auto next = live_places.begin();
     for (std::size_t slot = 0; slot < mesh.vert.size(); ++slot)
         if (!mesh.vert[slot].IsD()) *next++ = std::uint32_t(slot);
-    return live_slots;
+    return live_places;
 }
 
 /// Whether all are there, with their types and a value per slot.
-FieldStatus statusOfNames(const CMeshO& mesh, const Columns& columns) {
+FieldStatus status_of_names(const CMeshO& mesh, const Columns& columns) {
     FieldStatus status = FieldStatus::Current;
-    visitAttributes(columns, [&](const FieldColumn&, const FieldAttribute& attribute, int,
-                                 auto stored) {
+    visit_attributes(columns, [&](const FieldColumn&, const FieldAttribute& attribute, int,
+                                  auto stored) {
         using Value = typename decltype(stored)::Value;
-        if (!hasVertexAttribute(mesh, attribute.name))
+        if (!has_vertex_attribute(mesh, attribute.name))
             status = FieldStatus::Missing;
-        else if (status == FieldStatus::Current && !findVertexValues<Value>(mesh, attribute.name))
+        else if (status == FieldStatus::Current && !find_vertex_values<Value>(mesh, attribute.name))
             status = FieldStatus::WrongType;
     });
     return status;
 }
 
 /// Of live vertices.
-std::uint64_t contentHash(const CMeshO& mesh, const Columns& columns) {
-    const std::vector<std::uint32_t> live_slots = liveSlots(mesh);
+std::uint64_t content_hash(const CMeshO& mesh, const Columns& columns) {
+    const std::vector<std::uint32_t> live_places = live_slots(mesh);
     Hash hash(3);
-    visitAttributes(columns,
-                    [&](const FieldColumn&, const FieldAttribute& attribute, int, auto stored) {
-                        using Value = typename decltype(stored)::Value;
-                        const auto& values = *findVertexValues<Value>(mesh, attribute.name);
-                        for (const std::uint32_t slot : live_slots)
-                            hash.add(stored.word(values[slot]));
-                    });
+    visit_attributes(columns,
+                     [&](const FieldColumn&, const FieldAttribute& attribute, int, auto stored) {
+                         using Value = typename decltype(stored)::Value;
+                         const auto& values = *find_vertex_values<Value>(mesh, attribute.name);
+                         for (const std::uint32_t slot : live_places)
+                             hash.add(stored.word(values[slot]));
+                     });
     return hash.value();
 }
 
-void writeColumns(CMeshO& mesh, const Columns& columns, const Field& field) {
-    const std::vector<std::uint32_t> live_slots = liveSlots(mesh);
-    const auto demandValues = [&](const FieldAttribute& attribute, auto stored) -> auto& {
-        return demandVertexValues<typename decltype(stored)::Value>(mesh, attribute.name);
+void write_columns(CMeshO& mesh, const Columns& columns, const Field& field) {
+    const std::vector<std::uint32_t> live_places = live_slots(mesh);
+    const auto demand_values = [&](const FieldAttribute& attribute, auto stored) -> auto& {
+        return demand_vertex_values<typename decltype(stored)::Value>(mesh, attribute.name);
     };
-    visitAttributes(columns, [&](const FieldColumn&, const FieldAttribute& attribute, int,
-                                 auto stored) { demandValues(attribute, stored); });
-    visitAttributes(columns, [&](const FieldColumn& column, const FieldAttribute& attribute,
-                                 int first, auto stored) {
-        auto& values = demandValues(attribute, stored);
+    visit_attributes(columns, [&](const FieldColumn&, const FieldAttribute& attribute, int,
+                                  auto stored) { demand_values(attribute, stored); });
+    visit_attributes(columns, [&](const FieldColumn& column, const FieldAttribute& attribute,
+                                  int first, auto stored) {
+        auto& values = demand_values(attribute, stored);
         const float zero[3] = {};
-        if (hasDeletedVertices(mesh)) std::fill(values.begin(), values.end(), stored.from(zero));
+        if (has_deleted_vertices(mesh)) std::fill(values.begin(), values.end(), stored.from(zero));
         const float* floats = column.read(field) + first;
-        for (std::size_t live = 0; live < live_slots.size(); ++live)
-            values[live_slots[live]] = stored.from(floats + live * std::size_t(column.floats));
+        for (std::size_t live = 0; live < live_places.size(); ++live)
+            values[live_places[live]] = stored.from(floats + live * std::size_t(column.floats));
     });
 }
 
@@ -139,7 +139,7 @@ const char* describe(FieldStatus status) {
     }
 }
 
-QString fieldAttributeNames(const Field& field) {
+QString field_attribute_names(const Field& field) {
     QStringList names;
     for (const FieldColumn& column : laplacian_lines::present_columns(field))
         for (const FieldAttribute& attribute : column.attributes)
@@ -147,67 +147,67 @@ QString fieldAttributeNames(const Field& field) {
     return names.join(", ");
 }
 
-std::optional<FieldRecord> readFieldRecord(const CMeshO& mesh) {
-    const auto* record = findMeshValue<FieldRecord>(mesh, record_attribute);
+std::optional<FieldRecord> read_field_record(const CMeshO& mesh) {
+    const auto* record = find_mesh_value<FieldRecord>(mesh, record_attribute);
     if (!record || record->layout != FieldRecord::current_layout) return std::nullopt;
     return *record;
 }
 
-FieldStatus fieldStatus(const CMeshO& mesh, const GeometryStamp& now) {
-    if (!findAttribute(mesh.mesh_attr, record_attribute)) return FieldStatus::Missing;
-    const std::optional<FieldRecord> record = readFieldRecord(mesh);
+FieldStatus field_status(const CMeshO& mesh, const GeometryStamp& now) {
+    if (!find_attribute(mesh.mesh_attr, record_attribute)) return FieldStatus::Missing;
+    const std::optional<FieldRecord> record = read_field_record(mesh);
     if (!record) return FieldStatus::WrongType;
-    const Columns columns = recordedColumns(*record);
-    const FieldStatus status = statusOfNames(mesh, columns);
+    const Columns columns = recorded_columns(*record);
+    const FieldStatus status = status_of_names(mesh, columns);
     if (status != FieldStatus::Current) return status;
     if (record->stamp != now) return FieldStatus::Stale;
-    return contentHash(mesh, columns) == record->content ? FieldStatus::Current
-                                                         : FieldStatus::Missing;
+    return content_hash(mesh, columns) == record->content ? FieldStatus::Current
+                                                          : FieldStatus::Missing;
 }
 
-std::optional<Field> readField(const CMeshO& mesh, const GeometryStamp& now) {
-    if (fieldStatus(mesh, now) != FieldStatus::Current) return std::nullopt;
-    const FieldRecord record = *readFieldRecord(mesh);
-    const Columns columns = recordedColumns(record);
-    const std::vector<std::uint32_t> live_slots = liveSlots(mesh);
+std::optional<Field> read_field(const CMeshO& mesh, const GeometryStamp& now) {
+    if (field_status(mesh, now) != FieldStatus::Current) return std::nullopt;
+    const FieldRecord record = *read_field_record(mesh);
+    const Columns columns = recorded_columns(record);
+    const std::vector<std::uint32_t> live_places = live_slots(mesh);
     Field field;
     for (const FieldColumn& column : columns)
-        column.resize(field, live_slots.size());
-    visitAttributes(columns, [&](const FieldColumn& column, const FieldAttribute& attribute,
-                                 int first, auto stored) {
+        column.resize(field, live_places.size());
+    visit_attributes(columns, [&](const FieldColumn& column, const FieldAttribute& attribute,
+                                  int first, auto stored) {
         using Value = typename decltype(stored)::Value;
-        const auto& values = *findVertexValues<Value>(mesh, attribute.name);
+        const auto& values = *find_vertex_values<Value>(mesh, attribute.name);
         float* floats = column.write(field) + first;
-        for (std::size_t live = 0; live < live_slots.size(); ++live)
-            stored.to(values[live_slots[live]], floats + live * std::size_t(column.floats));
+        for (std::size_t live = 0; live < live_places.size(); ++live)
+            stored.to(values[live_places[live]], floats + live * std::size_t(column.floats));
     });
     field.scale = record.scale;
     field.report = record.report;
     return field;
 }
 
-void writeField(CMeshO& mesh, const Field& field, const laplacian_lines::PrecomputeOptions& options,
-                const GeometryStamp& stamp) {
+void write_field(CMeshO& mesh, const Field& field,
+                 const laplacian_lines::PrecomputeOptions& options, const GeometryStamp& stamp) {
     if (!laplacian_lines::has_entries(field, std::size_t(mesh.vn)))
         throw laplacian_lines::Error(laplacian_lines::ErrorCode::FieldMismatch,
                                      "The mesh changed while its lines were being computed. "
                                      "Run the filter again.");
-    removeMeshValue(mesh, record_attribute);
+    remove_mesh_value(mesh, record_attribute);
     FieldRecord record;
-    for (std::size_t i = 0; i < field_columns.size(); ++i)
-        record.columns |= std::uint32_t(is_present(field_columns[i], field)) << i;
-    const Columns columns = recordedColumns(record);
-    for (const FieldColumn& column : field_columns)
+    for (std::size_t i = 0; i < kFieldColumns.size(); ++i)
+        record.columns |= std::uint32_t(is_present(kFieldColumns[i], field)) << i;
+    const Columns columns = recorded_columns(record);
+    for (const FieldColumn& column : kFieldColumns)
         if (!is_present(column, field))
             for (const FieldAttribute& attribute : column.attributes)
-                if (attribute.floats > 0) removeVertexAttribute(mesh, attribute.name);
-    writeColumns(mesh, columns, field);
+                if (attribute.floats > 0) remove_vertex_attribute(mesh, attribute.name);
+    write_columns(mesh, columns, field);
     record.stamp = stamp;
-    record.content = contentHash(mesh, columns);
+    record.content = content_hash(mesh, columns);
     record.options = options;
     record.scale = field.scale;
     record.report = field.report;
-    setMeshValue(mesh, record_attribute, record);
+    set_mesh_value(mesh, record_attribute, record);
 }
 
 }  // namespace meshlab_host

@@ -15,7 +15,7 @@ using laplacian_lines::Field;
 namespace {
 
 /// Without the derivatives, which change nothing else.
-std::vector<double> optionValues(laplacian_lines::PrecomputeOptions options) {
+std::vector<double> option_values(laplacian_lines::PrecomputeOptions options) {
     options.curvature_derivatives = false;
     std::vector<double> values;
     for (const auto& row : laplacian_lines::precompute_option_table())
@@ -24,7 +24,7 @@ std::vector<double> optionValues(laplacian_lines::PrecomputeOptions options) {
 }
 
 /// What the defaults did specially for this mesh, each after a comma; mostly empty.
-QString specialsOf(const Field& field) {
+QString specials_of(const Field& field) {
     QString specials;
     if (field.report.welded_vertices)
         specials += QString(", %1 duplicated vertices welded where they cut the surface open")
@@ -39,12 +39,12 @@ QString specialsOf(const Field& field) {
     return specials;
 }
 
-QString computedLine(const QString& mesh_name, FieldStatus status, const Field& field,
-                     double seconds) {
+QString computed_line(const QString& mesh_name, FieldStatus status, const Field& field,
+                      double seconds) {
     return QString(
                "Laplacian Lines: %1%2: computed with the default options in %3 s%4 (the filter "
                "Compute Laplacian Lines has others)")
-        .arg(mesh_name, describe(status), QString::number(seconds, 'f', 2), specialsOf(field));
+        .arg(mesh_name, describe(status), QString::number(seconds, 'f', 2), specials_of(field));
 }
 
 }  // namespace
@@ -56,48 +56,48 @@ bool FieldKey::operator<(const FieldKey& other) const {
     return order(*this) < order(other);
 }
 
-QStringList meshAdvice(const laplacian_lines::MeshReport& report) {
+QStringList mesh_advice(const laplacian_lines::MeshReport& report) {
     QStringList lines;
     for (const laplacian_lines::MeshFault fault : laplacian_lines::faults_of(report))
         lines << "Warning: " + QString::fromStdString(describe(fault, report));
     return lines;
 }
 
-FieldSource fieldSource(const CMeshO& mesh) {
+FieldSource field_source(const CMeshO& mesh) {
     FieldSource source;
-    source.key.stamp = geometryStamp(mesh);
-    source.status = fieldStatus(mesh, source.key.stamp);
-    if (source.status == FieldStatus::Current) source.options = readFieldRecord(mesh)->options;
-    source.key.options = optionValues(source.options);
+    source.key.stamp = geometry_stamp(mesh);
+    source.status = field_status(mesh, source.key.stamp);
+    if (source.status == FieldStatus::Current) source.options = read_field_record(mesh)->options;
+    source.key.options = option_values(source.options);
     return source;
 }
 
-FieldSource withDerivatives(FieldSource source) {
+FieldSource with_derivatives(FieldSource source) {
     source.options.curvature_derivatives = true;
     return source;
 }
 
-Field demandField(const CMeshO& mesh, const laplacian_lines::TriangleMesh& triangles,
-                  const QString& mesh_name, const FieldSource& source,
-                  const std::function<void(const QString&)>& say,
-                  const laplacian_lines::Progress& progress) {
+Field demand_field(const CMeshO& mesh, const laplacian_lines::TriangleMesh& triangles,
+                   const QString& mesh_name, const FieldSource& source,
+                   const std::function<void(const QString&)>& say,
+                   const laplacian_lines::Progress& progress) {
     if (source.status == FieldStatus::Current)
-        if (std::optional<Field> field = readField(mesh, source.key.stamp)) {
+        if (std::optional<Field> field = read_field(mesh, source.key.stamp)) {
             if (source.options.curvature_derivatives)
-                demandDerivatives(triangles, *field, progress);
+                demand_derivatives(triangles, *field, progress);
             return std::move(*field);
         }
     QElapsedTimer clock;
     clock.start();
     Field field = laplacian_lines::precompute(triangles, source.options, progress);
-    say(computedLine(mesh_name, source.status, field, 1e-3 * double(clock.elapsed())));
-    for (const QString& line : meshAdvice(field.report))
+    say(computed_line(mesh_name, source.status, field, 1e-3 * double(clock.elapsed())));
+    for (const QString& line : mesh_advice(field.report))
         say(mesh_name + ": " + line);
     return field;
 }
 
-void demandDerivatives(const laplacian_lines::TriangleMesh& triangles, Field& field,
-                       const laplacian_lines::Progress& progress) {
+void demand_derivatives(const laplacian_lines::TriangleMesh& triangles, Field& field,
+                        const laplacian_lines::Progress& progress) {
     if (!field.has_derivatives())
         laplacian_lines::add_curvature_derivatives(triangles, field, progress);
 }

@@ -6,7 +6,7 @@
 
 namespace meshlab_host {
 
-void addResult(const char* name, const Eigen::Vector3d& value, FilterResults& results) {
+void add_result(const char* name, const Eigen::Vector3d& value, FilterResults& results) {
 #if MESHLAB_API >= 2022  // before, there was neither the type nor anybody who asked
     results[name] =
         QVariant::fromValue(Point3m(Scalarm(value.x()), Scalarm(value.y()), Scalarm(value.z())));
@@ -18,8 +18,8 @@ void addResult(const char* name, const Eigen::Vector3d& value, FilterResults& re
 namespace {
 
 /// That the filter does not have. MeshLab adds its own, MeshLab::..., to those of a filter.
-QStringList otherParameters(const Filter& filter, const MeshModel& mesh,
-                            const RichParameterList& parameters) {
+QStringList other_parameters(const Filter& filter, const MeshModel& mesh,
+                             const RichParameterList& parameters) {
     RichParameterList known;
     filter.list_parameters(&mesh, known);
     QStringList names;
@@ -47,12 +47,12 @@ void FilterPluginBase::say(const QString& line) {
 #endif
 }
 
-QString FilterPluginBase::runCatchingAll(const Filter& filter, MeshDocument& document,
-                                         const RichParameterList& parameters,
-                                         vcg::CallBackPos* progress, FilterResults& results) {
+QString FilterPluginBase::run_catching_all(const Filter& filter, MeshDocument& document,
+                                           const RichParameterList& parameters,
+                                           vcg::CallBackPos* progress, FilterResults& results) {
     try {
         if (!document.mm()) return "There is no mesh. Open one first.";
-        const QStringList others = otherParameters(filter, *document.mm(), parameters);
+        const QStringList others = other_parameters(filter, *document.mm(), parameters);
         if (!others.isEmpty())
             say("Parameters of another version are ignored: " + others.join(", ") + '.');
         filter.run(
@@ -78,7 +78,7 @@ bool FilterPluginBase::applyFilter(QAction* action, MeshDocument& document,
                                    const RichParameterList& parameters,
                                    vcg::CallBackPos* progress) {
     FilterResults results;
-    errorMessage = runCatchingAll(filter(action), document, parameters, progress, results);
+    errorMessage = run_catching_all(filter(action), document, parameters, progress, results);
     if (errorMessage.isEmpty()) return true;
     say(errorMessage);  // meshlabserver prints the log but never errorMessage
     return false;
@@ -100,7 +100,8 @@ std::map<std::string, QVariant> FilterPluginBase::applyFilter(const QAction* act
                                                               vcg::CallBackPos* progress) {
     post_condition = MeshModel::MM_NONE;
     FilterResults results;
-    const QString failure = runCatchingAll(filter(action), document, parameters, progress, results);
+    const QString failure =
+        run_catching_all(filter(action), document, parameters, progress, results);
     if (!failure.isEmpty()) throw MLException(failure);
     return results;
 }

@@ -11,17 +11,17 @@ namespace meshlab_host {
 
 namespace {
 
-const LayerDrawing unknown = {false, false, 6};
+const LayerDrawing kUnknown = {false, false, 6};
 
 /// Some of MeshLab's shaders draw faces without depth; their settings last until decorations are
 /// drawn.
-bool facesLeaveDepth() {
+bool faces_leave_depth() {
     GLboolean writes_depth = GL_FALSE;
     glGetBooleanv(GL_DEPTH_WRITEMASK, &writes_depth);
     return writes_depth && glIsEnabled(GL_DEPTH_TEST) && !glIsEnabled(GL_BLEND);
 }
 
-double largestMark(const MLRenderingData& data, const MLPerViewGLOptions& options) {
+double largest_mark(const MLRenderingData& data, const MLPerViewGLOptions& options) {
     // With attenuation this is the size at the mesh's middle; nearer points are larger.
     constexpr double most_growth = 2;
     double pixels = 0;
@@ -36,18 +36,18 @@ double largestMark(const MLRenderingData& data, const MLPerViewGLOptions& option
 
 }  // namespace
 
-LayerDrawing layerDrawing(const MeshModel& mesh) {
-    MLSceneGLSharedDataContext* scene = sceneOf(mesh);
+LayerDrawing layer_drawing(const MeshModel& mesh) {
+    MLSceneGLSharedDataContext* scene = scene_of(mesh);
     auto* context = const_cast<QGLContext*>(QGLContext::currentContext());  // as it is kept there
-    if (!scene || !context) return unknown;
+    if (!scene || !context) return kUnknown;
     MLRenderingData data;
     MLPerViewGLOptions options;
     scene->getRenderInfoPerMeshView(int(mesh.id()), context, data);
-    if (!data.get(options)) return unknown;
+    if (!data.get(options)) return kUnknown;
     LayerDrawing drawing;
-    drawing.has_faces = data.isPrimitiveActive(MLRenderingData::PR_SOLID) && facesLeaveDepth();
+    drawing.has_faces = data.isPrimitiveActive(MLRenderingData::PR_SOLID) && faces_leave_depth();
     drawing.culls_back_faces = options._back_face_cull;
-    drawing.mark_pixels = largestMark(data, options);
+    drawing.mark_pixels = largest_mark(data, options);
     return drawing;
 }
 
@@ -55,7 +55,7 @@ namespace {
 
 using Attributes = MLRenderingData::ATT_NAMES;
 
-MLRenderingData linesOnly(MeshModel& mesh) {
+MLRenderingData lines_only(MeshModel& mesh) {
     MLRenderingData look;
     MLPoliciesStandAloneFunctions::suggestedDefaultPerViewRenderingData(&mesh, look);
     look.set(MLRenderingData::PR_POINTS, false);
@@ -74,7 +74,7 @@ MLRenderingData linesOnly(MeshModel& mesh) {
 }
 
 /// MeshLab's toolbar shows how the current layer is drawn, and looks again when told.
-void refreshWindow() {
+void refresh_window() {
     for (QWidget* widget : QApplication::topLevelWidgets())
         if (widget->inherits("MainWindow"))
             QMetaObject::invokeMethod(widget, "updateLayerDialog", Qt::DirectConnection);
@@ -84,26 +84,26 @@ void refreshWindow() {
 
 }  // namespace
 
-void showAsLines(const MeshDocument& document, int mesh_id) {
-    MLSceneGLSharedDataContext* scene = sceneOf(document);
+void show_as_lines(const MeshDocument& document, int mesh_id) {
+    MLSceneGLSharedDataContext* scene = scene_of(document);
     if (!scene) return;
     // A timer of the scene, so it dies with its document.
     QTimer::singleShot(0, scene, [scene, mesh_id] {
         MeshModel* mesh = scene->meshDoc().getMesh(mesh_id);
         if (!mesh || mesh->cm.fn > 0 || mesh->cm.en == 0) return;
-        scene->setRenderingDataPerAllMeshViews(mesh_id, linesOnly(*mesh));
+        scene->setRenderingDataPerAllMeshViews(mesh_id, lines_only(*mesh));
         scene->manageBuffers(mesh_id);
-        refreshWindow();
+        refresh_window();
     });
 }
 
-void keepUnmodified(const MeshDocument& document) {
-    MLSceneGLSharedDataContext* scene = sceneOf(document);
+void keep_unmodified(const MeshDocument& document) {
+    MLSceneGLSharedDataContext* scene = scene_of(document);
     const MeshModel* current = const_cast<MeshDocument&>(document).mm();  // which changes nothing
     if (!scene || !current || current->meshModified()) return;
     QTimer::singleShot(0, scene, [scene, id = current->id()] {
         if (MeshModel* mesh = scene->meshDoc().getMesh(id)) mesh->setMeshModified(false);
-        refreshWindow();
+        refresh_window();
     });
 }
 

@@ -3,26 +3,26 @@
 
 namespace meshlab_host {
 
-bool hasDeletedVertices(const CMeshO& mesh) {
+bool has_deleted_vertices(const CMeshO& mesh) {
     return mesh.vert.size() != std::size_t(mesh.vn);
 }
 
-std::vector<std::uint32_t> liveVertexIndices(const CMeshO& mesh) {
-    std::vector<std::uint32_t> indices(mesh.vert.size(), no_index);
+std::vector<std::uint32_t> live_vertex_indices(const CMeshO& mesh) {
+    std::vector<std::uint32_t> indices(mesh.vert.size(), kNoIndex);
     std::uint32_t next = 0;
     for (std::size_t slot = 0; slot < mesh.vert.size(); ++slot)
         if (!mesh.vert[slot].IsD()) indices[slot] = next++;
     return indices;
 }
 
-laplacian_lines::TriangleMesh toTriangleMesh(const CMeshO& mesh) {
+laplacian_lines::TriangleMesh to_triangle_mesh(const CMeshO& mesh) {
     laplacian_lines::TriangleMesh result;
     result.positions.reserve(mesh.vert.size());
     for (const CVertexO& vertex : mesh.vert)
         if (!vertex.IsD())
             result.positions.emplace_back(vertex.cP()[0], vertex.cP()[1], vertex.cP()[2]);
 
-    const std::vector<std::uint32_t> indices = liveVertexIndices(mesh);
+    const std::vector<std::uint32_t> indices = live_vertex_indices(mesh);
     result.triangles.reserve(mesh.face.size());
     for (const CFaceO& face : mesh.face) {
         if (face.IsD()) continue;

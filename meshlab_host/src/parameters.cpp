@@ -16,7 +16,7 @@ using laplacian_lines::OptionValue;
 
 namespace {
 
-double asWritten(float value) {
+double as_written(float value) {
     if (!std::isfinite(value)) return value;
     for (int digits = 6; digits < 9; ++digits) {
         const double decimal = QString::number(double(value), 'g', digits).toDouble();
@@ -30,11 +30,11 @@ std::optional<double> number(const Value& value) {
     if (value.isBool()) return value.getBool() ? 1 : 0;
     if (value.isInt()) return value.getInt();
     if (value.isColor()) return value.getColor().rgb() & 0xffffff;
-    if (value.isFloat()) return asWritten(float(value.getFloat()));
+    if (value.isFloat()) return as_written(float(value.getFloat()));
 #if MESHLAB_API < 2022
     if (value.isEnum()) return value.getEnum();
-    if (value.isAbsPerc()) return asWritten(value.getAbsPerc());
-    if (value.isDynamicFloat()) return asWritten(value.getDynamicFloat());
+    if (value.isAbsPerc()) return as_written(value.getAbsPerc());
+    if (value.isDynamicFloat()) return as_written(value.getDynamicFloat());
 #endif
     return std::nullopt;
 }
@@ -48,22 +48,22 @@ void add(const ParameterText& text, RichParameterList& list, const Value&... val
     list.addParam(Rich(text.name, value..., text.label, text.tool_tip));
 }
 
-QString inQt(const std::string& text) {
+QString in_qt(const std::string& text) {
     return QString::fromStdString(text);
 }
 
-Point3m pointOf(const Eigen::Vector3d& p) {
+Point3m point_of(const Eigen::Vector3d& p) {
     return {Scalarm(p.x()), Scalarm(p.y()), Scalarm(p.z())};
 }
 
-QStringList choicesOf(const OptionDescription& option) {
+QStringList choices_of(const OptionDescription& option) {
     QStringList choices;
     for (const char* choice : option.choices)
         choices << choice;
     return choices;
 }
 
-QColor colorOf(double value) {
+QColor color_of(double value) {
     return QColor(QRgb(value));
 }
 
@@ -72,7 +72,7 @@ QColor colorOf(double value) {
                                   value.toStdString(), laplacian_lines::allowed_values(option));
 }
 
-double numberOf(const Value& value, const OptionDescription& option) {
+double number_of(const Value& value, const OptionDescription& option) {
     const std::optional<double> result = number(value);
     if (!result || std::isnan(*result)) refuse("not a number", option);
     if (!(*result >= option.minimum && *result <= option.maximum))
@@ -80,57 +80,57 @@ double numberOf(const Value& value, const OptionDescription& option) {
     return *result;
 }
 
-std::string textOf(const Value& value, const OptionDescription& option) {
+std::string text_of(const Value& value, const OptionDescription& option) {
     if (!value.isString()) refuse("not a text", option);
     return value.getString().toStdString();
 }
 
-Eigen::Vector3d placeOf(const Value& value, const OptionDescription& option) {
-    if (!isPoint(value)) refuse("not a point", option);
-    const Point3m p = pointIn(value);
-    const Eigen::Vector3d place(asWritten(float(p[0])), asWritten(float(p[1])),
-                                asWritten(float(p[2])));
+Eigen::Vector3d place_of(const Value& value, const OptionDescription& option) {
+    if (!is_point(value)) refuse("not a point", option);
+    const Point3m p = point_in(value);
+    const Eigen::Vector3d place(as_written(float(p[0])), as_written(float(p[1])),
+                                as_written(float(p[2])));
     if (!place.allFinite()) refuse("not finite", option);
     if (option.kind == OptionKind::Direction && place.isZero(0)) refuse("0 0 0", option);
     return place;
 }
 
-constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
-double switchIn(const QString& text) {
+double switch_in(const QString& text) {
     if (QStringList{"on", "yes", "true", "1"}.contains(text, Qt::CaseInsensitive)) return 1;
     if (QStringList{"off", "no", "false", "0"}.contains(text, Qt::CaseInsensitive)) return 0;
-    return no_value;
+    return kNoValue;
 }
 
-double choiceIn(const QString& text, const QStringList& choices) {
+double choice_in(const QString& text, const QStringList& choices) {
     bool is_number = false;
     const int number = text.toInt(&is_number);
     if (is_number) return number;
-    double found = no_value;
+    double found = kNoValue;
     for (int i = 0; i < choices.size(); ++i) {
         if (choices[i].compare(text, Qt::CaseInsensitive) == 0) return i;
         if (text.isEmpty() || !choices[i].startsWith(text, Qt::CaseInsensitive)) continue;
-        if (!std::isnan(found)) return no_value;
+        if (!std::isnan(found)) return kNoValue;
         found = i;
     }
     return found;
 }
 
-double colorIn(const QString& text) {
+double color_in(const QString& text) {
     const QColor color(text);
-    return color.isValid() ? color.rgb() & 0xffffff : no_value;
+    return color.isValid() ? color.rgb() & 0xffffff : kNoValue;
 }
 
-double realIn(const QString& text) {
+double real_in(const QString& text) {
     bool is_number = false;
     const double number = text.toDouble(&is_number);
-    return is_number ? number : no_value;
+    return is_number ? number : kNoValue;
 }
 
 }  // namespace
 
-QString toolTip(const QString& help) {
+QString tool_tip(const QString& help) {
     // Qt wraps only rich text.
 #if MESHLAB_API < 2022
     // Dialogs also show two lines of it beside the field.
@@ -140,9 +140,9 @@ QString toolTip(const QString& help) {
 #endif
 }
 
-void addParameter(const OptionDescription& option, const OptionValue& value,
-                  RichParameterList& list, double diagonal, const QString& prefix) {
-    const ParameterText text{prefix + option.key, option.label, toolTip(option.help)};
+void add_parameter(const OptionDescription& option, const OptionValue& value,
+                   RichParameterList& list, double diagonal, const QString& prefix) {
+    const ParameterText text{prefix + option.key, option.label, tool_tip(option.help)};
     switch (option.kind) {
         case OptionKind::Real:
             return add<RichFloat>(text, list, float(std::get<double>(value)));
@@ -153,59 +153,60 @@ void addParameter(const OptionDescription& option, const OptionValue& value,
         case OptionKind::Boolean:
             return add<RichBool>(text, list, std::get<double>(value) != 0);
         case OptionKind::Choice:
-            return add<RichEnum>(text, list, int(std::get<double>(value)), choicesOf(option));
+            return add<RichEnum>(text, list, int(std::get<double>(value)), choices_of(option));
         case OptionKind::Color:
-            return add<RichColor>(text, list, colorOf(std::get<double>(value)));
+            return add<RichColor>(text, list, color_of(std::get<double>(value)));
         case OptionKind::Text:
-            return add<RichString>(text, list, inQt(std::get<std::string>(value)));
+            return add<RichString>(text, list, in_qt(std::get<std::string>(value)));
         case OptionKind::File:
-            return add<RichFileToSave>(text, list, inQt(std::get<std::string>(value)),
-                                       QString("%1 (*.%2)").arg(option.label,
-                                                               choicesOf(option).join(" *.")));
+            return add<RichFileToSave>(
+                text, list, in_qt(std::get<std::string>(value)),
+                QString("%1 (*.%2)").arg(option.label, choices_of(option).join(" *.")));
         case OptionKind::Position:
-            return add<RichPlace>(text, list, pointOf(std::get<Eigen::Vector3d>(value)));
+            return add<RichPlace>(text, list, point_of(std::get<Eigen::Vector3d>(value)));
         case OptionKind::Direction:
-            return add<RichHeading>(text, list, pointOf(std::get<Eigen::Vector3d>(value)));
+            return add<RichHeading>(text, list, point_of(std::get<Eigen::Vector3d>(value)));
     }
 }
 
-OptionValue readParameter(const OptionDescription& option, const OptionValue& fallback,
-                          const RichParameterList& list, const QString& prefix) {
+OptionValue read_parameter(const OptionDescription& option, const OptionValue& fallback,
+                           const RichParameterList& list, const QString& prefix) {
     const QString name = prefix + option.key;
     if (!list.hasParameter(name)) return fallback;
     const Value& value = list.getParameterByName(name).value();
     switch (option.kind) {
         case OptionKind::Text:
         case OptionKind::File:
-            return textOf(value, option);
+            return text_of(value, option);
         case OptionKind::Position:
         case OptionKind::Direction:
-            return placeOf(value, option);
+            return place_of(value, option);
         default:
-            return numberOf(value, option);
+            return number_of(value, option);
     }
 }
 
-double numberIn(const QString& text, const OptionDescription& option) {
-    const double value = option.kind == OptionKind::Boolean  ? switchIn(text)
-                         : option.kind == OptionKind::Choice ? choiceIn(text, choicesOf(option))
-                         : option.kind == OptionKind::Color  ? colorIn(text)
-                                                             : realIn(text);
+double number_in(const QString& text, const OptionDescription& option) {
+    const double value = option.kind == OptionKind::Boolean  ? switch_in(text)
+                         : option.kind == OptionKind::Choice ? choice_in(text, choices_of(option))
+                         : option.kind == OptionKind::Color  ? color_in(text)
+                                                             : real_in(text);
     if (value >= option.minimum && value <= option.maximum) return value;
-    const bool has_comma = text.contains(',') && !std::isnan(realIn(QString(text).replace(',', '.')));
+    const bool has_comma =
+        text.contains(',') && !std::isnan(real_in(QString(text).replace(',', '.')));
     laplacian_lines::refuse_value(
         QString("\"%1\"").arg(option.label).toStdString(), text.toStdString(),
         laplacian_lines::allowed_values(option) + (has_comma ? ", with a decimal point" : ""));
 }
 
-QString textOf(double value, const OptionDescription& option) {
+QString text_of(double value, const OptionDescription& option) {
     switch (option.kind) {
         case OptionKind::Boolean:
             return value != 0 ? "on" : "off";
         case OptionKind::Choice:
             return option.choices[std::size_t(value)];
         case OptionKind::Color:
-            return colorOf(value).name();
+            return color_of(value).name();
         default:
             return QString::number(value, 'g', 9);
     }

@@ -15,13 +15,13 @@ using laplacian_lines::TriangleMesh;
 
 namespace {
 
-Eigen::Matrix3f matrixOf(const ShapeOperator& s) {
+Eigen::Matrix3f matrix_of(const ShapeOperator& s) {
     Eigen::Matrix3f matrix;
     matrix << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
     return matrix;
 }
 
-ShapeOperator shapeOperatorOf(const Eigen::Matrix3f& m) {
+ShapeOperator shape_operator_of(const Eigen::Matrix3f& m) {
     return {m(0, 0), m(1, 1), m(2, 2), m(1, 2), m(0, 2), m(0, 1)};
 }
 
@@ -48,7 +48,7 @@ void place(const Similarity& similarity, Field& field) {
     for (Eigen::Vector3f& n : field.laplacian_normals)
         n = (rotation * n / (factor * factor)).eval();
     for (ShapeOperator& s : field.shape_operators)
-        s = shapeOperatorOf(rotation * matrixOf(s) * rotation.transpose() / factor);
+        s = shape_operator_of(rotation * matrix_of(s) * rotation.transpose() / factor);
     field.smooth_curvatures.clear();
     field.curvature_derivatives.clear();
     for (float& size : field.kernel_sizes)
@@ -64,9 +64,9 @@ void place(const Eigen::Matrix4d& layer, laplacian_lines::PrecomputeOptions opti
     if (layer.isIdentity(0)) return;
     place(layer, mesh);
     if (!field) return;
-    if (const std::optional<Similarity> similarity = similarityOf(layer))
+    if (const std::optional<Similarity> similarity = similarity_of(layer))
         return place(*similarity, *field);
-    options.kernel_size *= meanScale(layer);
+    options.kernel_size *= mean_scale(layer);
     field = laplacian_lines::precompute(mesh, options, progress);
 }
 

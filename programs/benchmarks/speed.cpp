@@ -37,7 +37,7 @@ TriangleMesh read_mesh(const std::string& name) {
 
 /// Perspective views all around a mesh, a little from above.
 std::vector<View> orbit(const TriangleMesh& mesh) {
-    const Eigen::AlignedBox3d box = line_drawing::boundsOf(mesh);
+    const Eigen::AlignedBox3d box = line_drawing::bounds_of(mesh);
     std::vector<View> views;
     for (int i = 0; i < kEyes; ++i) {
         const double angle = 2 * M_PI * i / kEyes;
@@ -112,7 +112,7 @@ void add_redraw(const std::string& name, const Subject& of, const LineKindSet& s
 
 /// `full` has derivatives, which take memory even from kinds that do not need them.
 void add_redraws(const Subject& plain, const Subject& full) {
-    for (const LineKindDescription& kind : line_kinds)
+    for (const LineKindDescription& kind : kLineKinds)
         add_redraw(kind.key, kind.needs_derivatives ? full : plain, only_kinds({kind.kind}), 1);
     add_redraw("default", plain, LineStyle().shows, 1);
     add_redraw("default_all_threads", plain, LineStyle().shows, 0);
@@ -135,9 +135,9 @@ void add_once_a_mesh(const Subject& of) {
              [&of, field = of.field]() mutable { add_curvature_derivatives(of.mesh, field); });
     add_long("extractor", [&of] { LineExtractor(of.mesh, of.field); });
     line_drawing::SheetOptions options;
-    options.views = line_drawing::parseViews("30,20", options.up);
+    options.views = line_drawing::parse_views("30,20", options.up);
     add_long("view_on_paper",
-             [&of, options] { line_drawing::makeSheet(of.mesh, of.field, options); });
+             [&of, options] { line_drawing::make_sheet(of.mesh, of.field, options); });
 }
 
 }  // namespace

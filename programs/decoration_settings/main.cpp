@@ -15,8 +15,8 @@ void print(const QString& text) {
     std::fputs(text.toLocal8Bit().constData(), stdout);
 }
 
-void printPictures(const QString& names) {
-    for (const ComparedPicture& picture : comparedPictures(names))
+void print_pictures(const QString& names) {
+    for (const ComparedPicture& picture : compared_pictures(names))
         print(picture.label + '\t' + picture.commands.join(" ; ") + '\n');
 }
 
@@ -27,9 +27,9 @@ int main(int argc, char** argv) try {
     for (int i = 1; i < argc; ++i)
         words << QString::fromLocal8Bit(argv[i]);
     if (words.value(0) == "--kinds") {
-        printPictures(words.value(1));
+        print_pictures(words.value(1));
     } else {
-        for (const QString& command : settingCommands(words))
+        for (const QString& command : setting_commands(words))
             print(command + '\n');
     }
     if (std::fflush(stdout) == 0) return 0;

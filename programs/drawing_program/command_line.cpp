@@ -14,13 +14,13 @@ using line_drawing::SourceMesh;
 
 namespace {
 
-const char* const format_option = "--format";  // of a collection
+const char* const kFormatOption = "--format";  // of a collection
 
 /// The object that the file's line of provenance begins with.
-QJsonObject provenanceOf(const std::string& name) {
-    const std::optional<std::string> read = contentsOf(name);
+QJsonObject provenance_of(const std::string& name) {
+    const std::optional<std::string> read = contents_of(name);
     if (!read) refuse("\"" + name + "\" cannot be read.");
-    const QByteArray bytes = QByteArray::fromStdString(line_drawing::provenanceIn(*read));
+    const QByteArray bytes = QByteArray::fromStdString(line_drawing::provenance_in(*read));
     QJsonParseError error;
     QJsonDocument::fromJson(bytes, &error);  // tells where it ends
     const QJsonObject object = QJsonDocument::fromJson(bytes.left(error.offset)).object();
@@ -32,15 +32,15 @@ QJsonObject provenanceOf(const std::string& name) {
 }
 
 /// Files come from anywhere: they must not name other files.
-bool isOption(const std::string& word) {
+bool is_option(const std::string& word) {
     return word.substr(0, 2) == "--" && word != "--" && word != "--like" &&
            word.find('=') == std::string::npos;
 }
 
 /// Of an SVG, PDF or DXF file that is to be made again, with options that can be given here.
 /// @throws laplacian_lines::Error(InvalidOption) if the file has none.
-EarlierDrawing earlierDrawing(const std::string& file) {
-    const QJsonObject object = provenanceOf(file);
+EarlierDrawing earlier_drawing(const std::string& file) {
+    const QJsonObject object = provenance_of(file);
     const auto text = [](const QJsonValue& value) { return value.toString().toStdString(); };
     EarlierDrawing earlier{text(object["laplacian_lines"]), {}, {}};
     for (const QJsonValue mesh : object["meshes"].toArray())
@@ -49,7 +49,7 @@ EarlierDrawing earlierDrawing(const std::string& file) {
         earlier.options.push_back(text(word));
     bool are_pairs = object.contains("options") && earlier.options.size() % 2 == 0;
     for (std::size_t i = 0; are_pairs && i < earlier.options.size(); i += 2)
-        are_pairs = isOption(earlier.options[i]);
+        are_pairs = is_option(earlier.options[i]);
     if (!are_pairs)
         refuse("\"" + file + "\" has no options of this command: it was drawn in another way.");
     return earlier;
@@ -61,13 +61,13 @@ std::string take(Words& rest) {
     return first;
 }
 
-std::string takeValue(Words& rest, const std::string& option) {
+std::string take_value(Words& rest, const std::string& option) {
     if (rest.empty()) refuse(option + " needs a value; see --help.");
     return take(rest);
 }
 
 /// Puts "--option", "value" in place of a first "--option=value".
-void splitAssignment(Words& rest) {
+void split_assignment(Words& rest) {
     const std::size_t equals = rest.front().find('=');
     if (rest.front().substr(0, 2) != "--" || equals == std::string::npos) return;
     const std::string value = rest.front().substr(equals + 1);
@@ -76,18 +76,18 @@ void splitAssignment(Words& rest) {
 }
 
 /// Consumes an option with its value. False for the name of a file.
-bool takeOption(const std::string& word, Words& rest, Words& formats, CommandLine& result) {
+bool take_option(const std::string& word, Words& rest, Words& formats, CommandLine& result) {
     if (word == "-h" || word == "--help") {
         result.help = true;
     } else if (word == "--version") {
         result.version = true;
     } else if (word == "--like") {
-        result.like = earlierDrawing(takeValue(rest, word));
+        result.like = earlier_drawing(take_value(rest, word));
         rest.insert(rest.begin(), result.like->options.begin(), result.like->options.end());
-    } else if (line_drawing::commandOption(word)) {
-        Words& words = word == format_option ? formats : result.words;
+    } else if (line_drawing::command_option(word)) {
+        Words& words = word == kFormatOption ? formats : result.words;
         words.push_back(word);
-        words.push_back(takeValue(rest, word));
+        words.push_back(take_value(rest, word));
     } else if (word.substr(0, 2) == "--") {
         refuse("unknown option " + word + "; see --help.");
     } else {
@@ -97,57 +97,57 @@ bool takeOption(const std::string& word, Words& rest, Words& formats, CommandLin
 }
 
 /// A folder of drawings exists, or is named like one.
-void nameFiles(const Words& names, CommandLine& result) {
+void name_files(const Words& names, CommandLine& result) {
     if (names.size() < 2) refuse("name two files: the drawing and the mesh; see --help.");
     result.drawing = names[0];
-    result.is_collection = line_drawing::endsWith(names[0], "/") || isFolder(names[0]);
-    result.meshes = meshesOf({names.begin() + 1, names.end()});
+    result.is_collection = line_drawing::ends_with(names[0], "/") || is_folder(names[0]);
+    result.meshes = meshes_of({names.begin() + 1, names.end()});
 }
 
 }  // namespace
 
-CommandLine parseCommandLine(Words rest) {
+CommandLine parse_command_line(Words rest) {
     CommandLine result;
     Words names, formats;
     while (!rest.empty()) {
-        splitAssignment(rest);
+        split_assignment(rest);
         const std::string word = take(rest);
         if (word == "--")
             names.insert(names.end(), rest.begin(), rest.end()), rest.clear();
-        else if (!takeOption(word, rest, formats, result))
+        else if (!take_option(word, rest, formats, result))
             names.push_back(word);
     }
     if (result.help || result.version) return result;
     const bool has_format = !formats.empty();
     formats.insert(formats.begin(), result.words.begin(), result.words.end());
-    result.choices = line_drawing::readChoices(formats);
-    nameFiles(names, result);
+    result.choices = line_drawing::read_choices(formats);
+    name_files(names, result);
     if (has_format && !result.is_collection)
         refuse("--format is for a folder of drawings; the extension of a file sets its format.");
     result.choices.file =
         result.is_collection
-            ? '.' + line_drawing::commandOption(format_option)->valueIn(result.choices)
+            ? '.' + line_drawing::command_option(kFormatOption)->value_in(result.choices)
             : result.drawing;
-    result.options = line_drawing::sheetOptions(result.choices);
+    result.options = line_drawing::sheet_options(result.choices);
     return result;
 }
 
 std::string usage() {
-    return "laplacian-lines FILE" + line_drawing::endingsInWords("|", "|") +
+    return "laplacian-lines FILE" + line_drawing::endings_in_words("|", "|") +
            " [OPTION...] MESH|FOLDER...\n"
            "                       a measured drawing of a mesh, or of several that hide each "
            "other\n"
            "laplacian-lines FOLDER/ [OPTION...] MESH|FOLDER...\n"
            "                       one of each, and a contact sheet\n"
            "\n" +
-           line_drawing::sheetOptionsHelp() +
+           line_drawing::sheet_options_help() +
            "  --like FILE          with the options that a drawing (SVG, PDF, DXF) was made with;\n"
            "                       others that follow count more\n"
            "  --version            of this program\n"
            "  --help               this text\n";
 }
 
-void sayWhatDiffers(const EarlierDrawing& earlier, const std::vector<SourceMesh>& meshes) {
+void say_what_differs(const EarlierDrawing& earlier, const std::vector<SourceMesh>& meshes) {
     if (earlier.version != laplacian_lines::version())
         say(stderr, "the file was drawn by version " + earlier.version + "; this is version " +
                         laplacian_lines::version());

@@ -11,7 +11,7 @@
 
 using line_drawing::Words;
 
-/// What a drawing says of how it was made, see line_drawing::provenanceText().
+/// What a drawing says of how it was made, see line_drawing::provenance_text().
 struct EarlierDrawing {
     std::string version;
     std::vector<line_drawing::SourceMesh> meshes;
@@ -31,12 +31,12 @@ struct CommandLine {
 };
 
 /// @throws laplacian_lines::Error(InvalidOption)
-CommandLine parseCommandLine(Words arguments);
+CommandLine parse_command_line(Words arguments);
 std::string usage();
 
 /// Says what is not as it was: the meshes, or this program.
-void sayWhatDiffers(const EarlierDrawing& earlier,
-                    const std::vector<line_drawing::SourceMesh>& meshes);
+void say_what_differs(const EarlierDrawing& earlier,
+                      const std::vector<line_drawing::SourceMesh>& meshes);
 
 /// A whole line at once, also from several threads.
 void say(FILE* stream, const std::string& line);

@@ -21,15 +21,15 @@ using line_drawing::Sheet;
 
 namespace {
 
-const char* const contact_name = "contact_sheet";
+const char* const kContactName = "contact_sheet";
 
 // Measured: six views of a part of 84,000 triangles with many edges take 6.7 kB a triangle, of a
 // scan with 14 million 180 bytes.
-constexpr double bytes_per_triangle = 8e3;
-constexpr double share_of_free_memory = 0.8;
+constexpr double kBytesPerTriangle = 8e3;
+constexpr double kShareOfFreeMemory = 0.8;
 
 /// File names, those not drawn whole marked by a word before: notes may be cut off at the end.
-std::string noteOf(const std::vector<ReadMesh>& meshes) {
+std::string note_of(const std::vector<ReadMesh>& meshes) {
     Words names;
     for (const ReadMesh& read : meshes) {
         names.push_back((read.defect.empty() ? "" : "incomplete: ") + read.source.name);
@@ -39,24 +39,24 @@ std::string noteOf(const std::vector<ReadMesh>& meshes) {
 }
 
 /// With the meshes' names.
-line_drawing::SheetOptions optionsFor(const std::vector<ReadMesh>& meshes,
-                                      line_drawing::SheetOptions options) {
+line_drawing::SheetOptions options_for(const std::vector<ReadMesh>& meshes,
+                                       line_drawing::SheetOptions options) {
     Words titles;
     for (const ReadMesh& read : meshes)
         titles.push_back(read.title);
-    options.title = line_drawing::titleOf(options.title, titles);
-    options.source = noteOf(meshes);
+    options.title = line_drawing::title_of(options.title, titles);
+    options.source = note_of(meshes);
     return options;
 }
 
 /// Reads a mesh as the options say, and says what of its file was skipped.
-ReadMesh readAloud(const std::string& file, const CommandLine& commands) {
-    ReadMesh read = readMesh(file, commands.choices.draws_damaged);
+ReadMesh read_aloud(const std::string& file, const CommandLine& commands) {
+    ReadMesh read = read_mesh(file, commands.choices.draws_damaged);
     if (!read.remark.empty()) say(stderr, file + ": " + read.remark);
     return read;
 }
 
-std::vector<line_drawing::SourceMesh> sourcesOf(const std::vector<ReadMesh>& meshes) {
+std::vector<line_drawing::SourceMesh> sources_of(const std::vector<ReadMesh>& meshes) {
     std::vector<line_drawing::SourceMesh> sources;
     for (const ReadMesh& read : meshes)
         sources.push_back(read.source);
@@ -65,18 +65,18 @@ std::vector<line_drawing::SourceMesh> sourcesOf(const std::vector<ReadMesh>& mes
 
 /// Draws the meshes together into the file. Returns the sheet and, of a collection, the mesh's view
 /// for the contact sheet. @throws laplacian_lines::Error with a sentence for users; std::bad_alloc
-std::vector<Sheet> drawInto(const std::string& file, const std::vector<ReadMesh>& meshes,
-                            const CommandLine& commands) {
-    std::vector<line_drawing::SheetOptions> options = {optionsFor(meshes, commands.options)};
-    const std::vector<std::string> remarks = line_drawing::checkTexts(options[0], file);
+std::vector<Sheet> draw_into(const std::string& file, const std::vector<ReadMesh>& meshes,
+                             const CommandLine& commands) {
+    std::vector<line_drawing::SheetOptions> options = {options_for(meshes, commands.options)};
+    const std::vector<std::string> remarks = line_drawing::check_texts(options[0], file);
     if (commands.is_collection)
-        options.push_back(line_drawing::contactOptions(meshes.front().mesh, options[0]));
+        options.push_back(line_drawing::contact_options(meshes.front().mesh, options[0]));
     line_drawing::Objects objects;
     for (const ReadMesh& read : meshes)
         objects.push_back({read.mesh, nullptr, read.file});
-    std::vector<Sheet> sheets = line_drawing::makeSheets(objects, options);
-    sheets[0].provenance = line_drawing::provenanceText(sourcesOf(meshes), commands.words);
-    line_drawing::writeWhole(file, writeSheet(sheets[0], file, commands.choices.dpi));
+    std::vector<Sheet> sheets = line_drawing::make_sheets(objects, options);
+    sheets[0].provenance = line_drawing::provenance_text(sources_of(meshes), commands.words);
+    line_drawing::write_whole(file, write_sheet(sheets[0], file, commands.choices.dpi));
     for (const auto& all : {remarks, sheets[0].remarks})
         for (const std::string& remark : all)
             say(stderr, (commands.is_collection ? meshes.front().file + ": " : "") + remark);
@@ -84,10 +84,10 @@ std::vector<Sheet> drawInto(const std::string& file, const std::vector<ReadMesh>
 }
 
 /// Scans come in metres, too, and files do not tell.
-void saySize(const std::vector<ReadMesh>& meshes, const CommandLine& commands) {
+void say_size(const std::vector<ReadMesh>& meshes, const CommandLine& commands) {
     Eigen::AlignedBox3d box;
     for (const ReadMesh& read : meshes)
-        box.extend(line_drawing::boundsOf(read.mesh));
+        box.extend(line_drawing::bounds_of(read.mesh));
     if (box.isEmpty()) return;
     const double unit = commands.options.mm_per_unit;
     const Eigen::Vector3d size = unit * box.sizes();
@@ -97,11 +97,11 @@ void saySize(const std::vector<ReadMesh>& meshes, const CommandLine& commands) {
                          : size.maxCoeff() < 1 ? "; if it is in metres, say --unit m"
                                                : "; --unit says otherwise";
     say(stdout, (meshes.size() > 1 ? "together the objects are " : "the object is ") +
-                    line_drawing::sizeInWords(size, " x ") + " in size, with " +
-                    line_drawing::inDigits(unit) + " mm to the unit of the mesh" + advice);
+                    line_drawing::size_in_words(size, " x ") + " in size, with " +
+                    line_drawing::in_digits(unit) + " mm to the unit of the mesh" + advice);
 }
 
-double freeMemory() {
+double free_memory() {
     std::ifstream file("/proc/meminfo");
     for (std::string key, rest; file >> key; std::getline(file, rest))
         if (double kilobytes = 0; key == "MemAvailable:" && file >> kilobytes)
@@ -117,8 +117,8 @@ struct Item {
 
 /// Drawings whose names would be equal get the mesh's extension.
 /// @throws laplacian_lines::Error(InvalidOption) if they stay equal
-std::vector<Item> itemsOf(const Words& meshes) {
-    std::map<std::string, int> counts = {{contact_name, 1}};
+std::vector<Item> items_of(const Words& meshes) {
+    std::map<std::string, int> counts = {{kContactName, 1}};
     for (const fs::path mesh : meshes)
         ++counts[mesh.stem().string()];
     std::vector<Item> items;
@@ -160,8 +160,8 @@ private:
 class Collection {
 public:
     explicit Collection(const CommandLine& commands)
-        : commands_(commands), items_(itemsOf(commands.meshes)), folder_(commands.drawing) {
-        line_drawing::checkWritable(fileOf(contact_name));
+        : commands_(commands), items_(items_of(commands.meshes)), folder_(commands.drawing) {
+        line_drawing::check_writable(file_of(kContactName));
     }
 
     /// Whether all were drawn.
@@ -170,11 +170,11 @@ public:
         for (int i = 0; i < thread_count_; ++i)
             threads.emplace_back([this] {
                 for (std::size_t k; (k = next_++) < items_.size();)
-                    drawCatchingAll(items_[k]);
+                    draw_catching_all(items_[k]);
             });
         for (std::thread& thread : threads)
             thread.join();
-        writeContactSheet();
+        write_contact_sheet();
         const auto drawn = std::count_if(items_.begin(), items_.end(),
                                          [](const Item& item) { return item.source.has_value(); });
         const auto failed = std::ptrdiff_t(items_.size()) - drawn;
@@ -183,11 +183,11 @@ public:
     }
 
 private:
-    std::string fileOf(const std::string& name) const {
+    std::string file_of(const std::string& name) const {
         return (fs::path(commands_.drawing) / (name + commands_.choices.file)).string();
     }
 
-    void drawCatchingAll(Item& item) {
+    void draw_catching_all(Item& item) {
         std::string why = "not enough memory";
         try {
             return draw(item);
@@ -203,20 +203,20 @@ private:
     /// Large meshes are drawn one at a time.
     void draw(Item& item) {
         std::vector<ReadMesh> meshes;
-        meshes.push_back(readAloud(item.mesh, commands_));
+        meshes.push_back(read_aloud(item.mesh, commands_));
         std::shared_lock with_others(memory_, std::defer_lock);
         std::unique_lock alone(memory_, std::defer_lock);
-        if (bytes_per_triangle * double(meshes[0].mesh.triangles.size()) > memory_of_thread_)
+        if (kBytesPerTriangle * double(meshes[0].mesh.triangles.size()) > memory_of_thread_)
             alone.lock();
         else
             with_others.lock();
-        const std::string file = fileOf(item.name);
-        item.contact_view = drawInto(file, meshes, commands_).at(1);
+        const std::string file = file_of(item.name);
+        item.contact_view = draw_into(file, meshes, commands_).at(1);
         item.source = meshes[0].source;
         say(stdout, file + ": drawn");
     }
 
-    void writeContactSheet() const {
+    void write_contact_sheet() const {
         std::vector<line_drawing::ContactEntry> entries;
         std::vector<line_drawing::SourceMesh> meshes;
         for (const Item& item : items_)
@@ -225,13 +225,13 @@ private:
                 meshes.push_back(*item.source);
             }
         if (entries.empty()) return;
-        const std::string file = fileOf(contact_name), &title = commands_.options.title;
-        Sheet sheet = line_drawing::makeContactSheet(
+        const std::string file = file_of(kContactName), &title = commands_.options.title;
+        Sheet sheet = line_drawing::make_contact_sheet(
             entries, title.find("{name}") == title.npos ? title : std::string());
         if (commands_.options.text == line_drawing::TextStyle::Outlines)
-            line_drawing::outlineTexts(sheet);
-        sheet.provenance = line_drawing::provenanceText(meshes, commands_.words);
-        line_drawing::writeWhole(file, writeSheet(sheet, file, commands_.choices.dpi));
+            line_drawing::outline_texts(sheet);
+        sheet.provenance = line_drawing::provenance_text(meshes, commands_.words);
+        line_drawing::write_whole(file, write_sheet(sheet, file, commands_.choices.dpi));
         say(stdout, file + ": " + std::to_string(entries.size()) +
                         (entries.size() == 1 ? " object" : " objects"));
     }
@@ -241,23 +241,23 @@ private:
     const Folder folder_;
     std::atomic<std::size_t> next_{0};
     const int thread_count_ = std::min(laplacian_lines::thread_limit(), int(items_.size()));
-    const double memory_of_thread_ = share_of_free_memory * freeMemory() / thread_count_;
+    const double memory_of_thread_ = kShareOfFreeMemory * free_memory() / thread_count_;
     std::shared_mutex memory_;  ///< held by large meshes alone
 };
 
 }  // namespace
 
-void drawOne(const CommandLine& commands) {
-    line_drawing::checkWritable(commands.drawing);
+void draw_one(const CommandLine& commands) {
+    line_drawing::check_writable(commands.drawing);
     std::vector<ReadMesh> meshes;
     for (const std::string& file : commands.meshes)
-        meshes.push_back(readAloud(file, commands));
-    if (commands.like) sayWhatDiffers(*commands.like, sourcesOf(meshes));
-    saySize(meshes, commands);
-    drawInto(commands.drawing, meshes, commands);
+        meshes.push_back(read_aloud(file, commands));
+    if (commands.like) say_what_differs(*commands.like, sources_of(meshes));
+    say_size(meshes, commands);
+    draw_into(commands.drawing, meshes, commands);
     say(stdout, "the drawing is " + commands.drawing);
 }
 
-bool drawCollection(const CommandLine& commands) {
+bool draw_collection(const CommandLine& commands) {
     return Collection(commands).draw();
 }

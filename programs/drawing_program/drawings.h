@@ -5,9 +5,9 @@
 
 /// Draws the meshes together into a file, and says how large they are.
 /// @throws laplacian_lines::Error with a sentence for users; std::bad_alloc
-void drawOne(const CommandLine& commands);
+void draw_one(const CommandLine& commands);
 
 /// Draws each mesh of a collection, as many at once as processors and memory allow, then a contact
 /// sheet of all. Prints a line per mesh. Whether all were drawn.
 /// @throws laplacian_lines::Error if there is nothing to draw or the folder is not writable
-bool drawCollection(const CommandLine& commands);
+bool draw_collection(const CommandLine& commands);

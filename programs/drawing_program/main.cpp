@@ -9,15 +9,15 @@
 namespace {
 
 int run(const Words& arguments) {
-    const CommandLine commands = parseCommandLine(arguments);
+    const CommandLine commands = parse_command_line(arguments);
     if (commands.help)
         std::fputs(usage().c_str(), stdout);
     else if (commands.version)
         std::printf("laplacian-lines %s\n", laplacian_lines::version());
     else if (commands.is_collection)
-        return drawCollection(commands) ? 0 : 1;
+        return draw_collection(commands) ? 0 : 1;
     else
-        drawOne(commands);
+        draw_one(commands);
     return 0;
 }
 

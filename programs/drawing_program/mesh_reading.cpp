@@ -18,23 +18,23 @@ namespace {
     laplacian_lines::refuse(file + ": " + why, laplacian_lines::ErrorCode::InvalidMesh);
 }
 
-std::optional<mesh_files::Format> formatOf(const fs::path& file) {
+std::optional<mesh_files::Format> format_of(const fs::path& file) {
     const std::string ending = line_drawing::lower(file.extension().string());
     return mesh_files::format_of(ending.substr(std::min<std::size_t>(1, ending.size())));
 }
 
-Words meshesIn(const fs::path& folder) {
+Words meshes_in(const fs::path& folder) {
     Words meshes;
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
          entry.increment(error))
-        if (std::error_code none; formatOf(entry->path()) && entry->is_regular_file(none))
+        if (std::error_code none; format_of(entry->path()) && entry->is_regular_file(none))
             meshes.push_back(entry->path().string());
     std::sort(meshes.begin(), meshes.end());
     return meshes;
 }
 
-std::string sha256Of(const std::string& bytes) {
+std::string sha256_of(const std::string& bytes) {
     QCryptographicHash hash(QCryptographicHash::Sha256);
     constexpr std::size_t most = 1 << 30;  // of what Qt takes at once
     for (std::size_t i = 0; i < bytes.size(); i += most)
@@ -44,15 +44,15 @@ std::string sha256Of(const std::string& bytes) {
 
 }  // namespace
 
-bool isFolder(const std::string& name) {
+bool is_folder(const std::string& name) {
     std::error_code none;
     return fs::is_directory(name, none);
 }
 
-Words meshesOf(const Words& named) {
+Words meshes_of(const Words& named) {
     Words meshes;
     for (const std::string& name : named) {
-        const Words found = isFolder(name) ? meshesIn(name) : Words{name};
+        const Words found = is_folder(name) ? meshes_in(name) : Words{name};
         if (found.empty())
             laplacian_lines::refuse("there is no mesh in the folder \"" + name + "\".");
         for (const std::string& mesh : found)
@@ -62,7 +62,7 @@ Words meshesOf(const Words& named) {
     return meshes;
 }
 
-std::optional<std::string> contentsOf(const std::string& file) {
+std::optional<std::string> contents_of(const std::string& file) {
     std::error_code error;
     const std::uintmax_t size = fs::file_size(file, error);  // of files alone
     if (error) return {};
@@ -73,15 +73,15 @@ std::optional<std::string> contentsOf(const std::string& file) {
 }
 
 std::string readable(const std::string& name) {
-    return line_drawing::inUtf8(line_drawing::lettersOf(name));
+    return line_drawing::in_utf8(line_drawing::letters_of(name));
 }
 
-ReadMesh readMesh(const std::string& file, bool draws_damaged) {
-    const std::optional<std::string> bytes = contentsOf(file);
+ReadMesh read_mesh(const std::string& file, bool draws_damaged) {
+    const std::optional<std::string> bytes = contents_of(file);
     if (!bytes) refuse(file, "there is no such file, or it cannot be read.");
-    const auto format = formatOf(file);
+    const auto format = format_of(file);
     if (!format) refuse(file, "meshes are read from PLY, OBJ, STL and OFF files.");
-    auto hash = std::async(std::launch::async, [&] { return sha256Of(*bytes); });
+    auto hash = std::async(std::launch::async, [&] { return sha256_of(*bytes); });
     auto [mesh, defect, remark] = mesh_files::read_mesh(*format, *bytes);
     if (mesh.triangles.empty() && !defect.empty())
         refuse(file, "the mesh cannot be read: " + defect + '.');

@@ -7,14 +7,14 @@
 #include "laplacian_lines/triangle_mesh.h"
 #include "line_drawing/sheet_file.h"
 
-bool isFolder(const std::string& name);
+bool is_folder(const std::string& name);
 
 /// The named meshes and those in named folders. @throws laplacian_lines::Error(InvalidOption) if a
 /// folder has none
-line_drawing::Words meshesOf(const line_drawing::Words& named);
+line_drawing::Words meshes_of(const line_drawing::Words& named);
 
 /// Nothing if there is no such file, or it cannot be read to its end.
-std::optional<std::string> contentsOf(const std::string& file);
+std::optional<std::string> contents_of(const std::string& file);
 
 /// Any name, as UTF-8: names of files are bytes.
 std::string readable(const std::string& name);
@@ -30,4 +30,4 @@ struct ReadMesh {
 
 /// Reads a PLY, OBJ, STL or OFF file, triangulated. A malformed file is refused, or drawn as far as
 /// it goes. @throws laplacian_lines::Error(InvalidMesh) with a sentence that names the file
-ReadMesh readMesh(const std::string& file, bool draws_damaged);
+ReadMesh read_mesh(const std::string& file, bool draws_damaged);

@@ -25,7 +25,7 @@ const CommandHandler& find(const CommandTable& table, const QString& name) {
     return found->second;
 }
 
-Command parseLine(const QString& text) {
+Command parse_line(const QString& text) {
     Command command;
     command.name = text.section(' ', 0, 0);
     command.rest = text.mid(command.name.size()).trimmed();
@@ -33,7 +33,7 @@ Command parseLine(const QString& text) {
     return command;
 }
 
-QVector<Command> readScript(const QString& file_name) {
+QVector<Command> read_script(const QString& file_name) {
     QFile file(file_name);
     if (!file.open(QIODevice::ReadOnly))
         throw CommandError(QString("cannot read the script %1").arg(file_name));
@@ -44,16 +44,16 @@ QVector<Command> readScript(const QString& file_name) {
     for (int line = 1; !text.atEnd(); ++line) {
         const QString content = text.readLine().trimmed();
         if (content.isEmpty() || content.startsWith('#')) continue;
-        script << parseLine(content);
+        script << parse_line(content);
         script.last().line = line;
     }
     return script;
 }
 
-CommandTable allCommands() {
+CommandTable all_commands() {
     CommandTable table;
     for (const auto add :
-         {addDialogCommands, addDrawingCommands, addFrameCommands, addWindowCommands})
+         {add_dialog_commands, add_drawing_commands, add_frame_commands, add_window_commands})
         add(table);
     return table;
 }

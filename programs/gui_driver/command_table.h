@@ -22,10 +22,10 @@ struct Command {
 };
 
 // `text` has no blanks around it.
-Command parseLine(const QString& text);
+Command parse_line(const QString& text);
 
 // One command a line; skips empty lines and those that start with #. CommandError if unreadable.
-QVector<Command> readScript(const QString& file_name);
+QVector<Command> read_script(const QString& file_name);
 
 // Ends the run with exit code 3, line and reason.
 struct CommandError : std::runtime_error {
@@ -51,14 +51,14 @@ using CommandTable = std::map<QString, CommandHandler>;
 const CommandHandler& find(const CommandTable& table, const QString& name);  // CommandError if none
 
 // Each file of commands registers its own; README.md describes them.
-void addDialogCommands(CommandTable& table);
-void addDrawingCommands(CommandTable& table);
-void addFrameCommands(CommandTable& table);
-void addWindowCommands(CommandTable& table);
-CommandTable allCommands();
+void add_dialog_commands(CommandTable& table);
+void add_drawing_commands(CommandTable& table);
+void add_frame_commands(CommandTable& table);
+void add_window_commands(CommandTable& table);
+CommandTable all_commands();
 
 // Begins to run a script in MeshLab's event loop, as long as `parent` lives. CommandError if it
 // cannot be read.
-void runScript(const QString& file_name, QObject* parent);
+void run_script(const QString& file_name, QObject* parent);
 
 }  // namespace driver

@@ -21,16 +21,16 @@ namespace {
 
 using Widgets = QList<QWidget*>;
 
-void collectWidgets(QLayoutItem* item, Widgets& widgets) {
+void collect_widgets(QLayoutItem* item, Widgets& widgets) {
     if (!item) return;
     if (QWidget* widget = item->widget(); widget && !widgets.contains(widget)) widgets << widget;
     if (QLayout* layout = item->layout())
         for (int i = 0; i < layout->count(); ++i)
-            collectWidgets(layout->itemAt(i), widgets);
+            collect_widgets(layout->itemAt(i), widgets);
 }
 
 /// A label and its editors share a grid's row.
-Widgets editorsBeside(QWidget* container, QLabel* label) {
+Widgets editors_beside(QWidget* container, QLabel* label) {
     Widgets editors;
     for (QGridLayout* grid : container->findChildren<QGridLayout*>()) {
         if (grid->indexOf(label) < 0) continue;
@@ -39,19 +39,19 @@ Widgets editorsBeside(QWidget* container, QLabel* label) {
         for (int c = column + column_span; c < grid->columnCount(); ++c) {
             QLayoutItem* item = grid->itemAtPosition(row, c);
             if (item && qobject_cast<QLabel*>(item->widget())) break;  // of another field
-            collectWidgets(item, editors);
+            collect_widgets(item, editors);
         }
     }
     return editors;
 }
 
-Widgets findEditors(QWidget* container, const QString& name) {
+Widgets find_editors(QWidget* container, const QString& name) {
     for (QCheckBox* box : container->findChildren<QCheckBox*>())  // up to 2020.09
-        if (withoutMnemonic(box->text()) == name) return {box};
+        if (without_mnemonic(box->text()) == name) return {box};
     QStringList others;
     for (QLabel* label : container->findChildren<QLabel*>()) {
-        const QString text = withoutMnemonic(label->text()).trimmed();
-        const Widgets editors = editorsBeside(container, label);
+        const QString text = without_mnemonic(label->text()).trimmed();
+        const Widgets editors = editors_beside(container, label);
         if (editors.isEmpty()) continue;  // a help text
         if (text == name) return editors;
         others << "'" + text + "'";
@@ -66,13 +66,13 @@ Editor* only(const Widgets& widgets) {
     return nullptr;
 }
 
-void setCheckBox(QCheckBox* box, const QString& value) {
+void set_check_box(QCheckBox* box, const QString& value) {
     if (value != "on" && value != "off")
         throw CommandError(QString("a check box takes on or off, not '%1'").arg(value));
     if (box->isChecked() != (value == "on")) box->click();
 }
 
-void setComboBox(QComboBox* box, const QString& value) {
+void set_combo_box(QComboBox* box, const QString& value) {
     int index = box->findText(value);
     bool is_number = true;
     if (index < 0) index = value.toInt(&is_number);
@@ -86,14 +86,14 @@ void setComboBox(QComboBox* box, const QString& value) {
     QMetaObject::invokeMethod(box, "activated", Q_ARG(int, index));  // as after a user's choice
 }
 
-void setLineEdit(QLineEdit* edit, const QString& value) {
+void set_line_edit(QLineEdit* edit, const QString& value) {
     edit->setText(value);
     QMetaObject::invokeMethod(edit, "editingFinished");
     QMetaObject::invokeMethod(edit, "returnPressed");
 }
 
 // The button opens a modal box: arm the answer, then click.
-void setColor(QPushButton* button, const QString& value) {
+void set_color(QPushButton* button, const QString& value) {
     const QColor color(value);
     if (!color.isValid()) throw CommandError(QString("'%1' is not a color").arg(value));
     QTimer::singleShot(0, button, [color] {
@@ -107,25 +107,25 @@ void setColor(QPushButton* button, const QString& value) {
 
 /// LABEL = VALUE: sets the container's field with this label as a user would. Check box: on or off;
 /// combo box: text or number of an entry; color: #rrggbb or a name.
-void setField(QWidget* container, const Command& command) {
+void set_field(QWidget* container, const Command& command) {
     // Labels may contain '=', values do not.
     const QString name = command.rest.section('=', 0, -2).trimmed();
     const QString value = command.rest.section('=', -1).trimmed();
-    const Widgets editors = findEditors(container, name);
+    const Widgets editors = find_editors(container, name);
     if (auto* check_box = only<QCheckBox>(editors))
-        setCheckBox(check_box, value);
+        set_check_box(check_box, value);
     else if (auto* combo_box = only<QComboBox>(editors))
-        setComboBox(combo_box, value);
+        set_combo_box(combo_box, value);
     else if (auto* edit = only<QLineEdit>(editors))
-        setLineEdit(edit, value);
+        set_line_edit(edit, value);
     else if (auto* button = only<QPushButton>(editors))
-        setColor(button, value);
+        set_color(button, value);
     else
         throw CommandError(QString("the field '%1' cannot be set").arg(name));
 }
 
 void trigger(const Command& command) {
-    QAction* action = requireAction(command.rest);
+    QAction* action = require_action(command.rest);
     if (!action->isEnabled()) throw CommandError("the action is disabled");
     action->trigger();
 }
@@ -133,7 +133,7 @@ void trigger(const Command& command) {
 // ACTION on or off
 void check(const Command& command) {
     const QString state = command.rest.section(' ', -1);
-    QAction* action = requireAction(command.rest.section(' ', 0, -2));
+    QAction* action = require_action(command.rest.section(' ', 0, -2));
     if (state != "on" && state != "off") throw CommandError("say on or off after the action");
     if (!action->isEnabled() || !action->isCheckable())
         throw CommandError("the action is disabled or not checkable");
@@ -141,35 +141,35 @@ void check(const Command& command) {
 }
 
 // ACTION, or ACTION checked or unchecked
-void expectAction(const Command& command) {
+void expect_action(const Command& command) {
     const QString state = command.rest.section(' ', -1);
     const bool has_state = state == "checked" || state == "unchecked";
-    QAction* action = requireAction(has_state ? command.rest.section(' ', 0, -2) : command.rest);
+    QAction* action = require_action(has_state ? command.rest.section(' ', 0, -2) : command.rest);
     if (has_state && action->isChecked() != (state == "checked"))
         throw CommandError(QString("it is %1").arg(action->isChecked() ? "checked" : "unchecked"));
 }
 
-QTreeWidget* decorationTree() {
-    auto* tree = requireMainWindow()->findChild<QTreeWidget*>("decParsTree");
+QTreeWidget* decoration_tree() {
+    auto* tree = require_main_window()->findChild<QTreeWidget*>("decParsTree");
     if (!tree) throw CommandError("the layer dialog shows no decoration parameters");
     return tree;
 }
 
-void setDecorationParameter(const Command& command) {
-    setField(decorationTree(), command);
+void set_decoration_parameter(const Command& command) {
+    set_field(decoration_tree(), command);
 }
 
-void openDecorationParameters(const Command&) {
-    if (QTreeWidgetItem* first = decorationTree()->topLevelItem(0)) first->setExpanded(true);
+void open_decoration_parameters(const Command&) {
+    if (QTreeWidgetItem* first = decoration_tree()->topLevelItem(0)) first->setExpanded(true);
 }
 
-void expectOpenParameters(const Command&) {
-    const QTreeWidgetItem* first = decorationTree()->topLevelItem(0);
+void expect_open_parameters(const Command&) {
+    const QTreeWidgetItem* first = decoration_tree()->topLevelItem(0);
     if (!first || !first->isExpanded()) throw CommandError("they are not open");
 }
 
 // For commands that wait for a modal box.
-CommandHandler inModal(void (*act)(QWidget*, const Command&)) {
+CommandHandler in_modal(void (*act)(QWidget*, const Command&)) {
     return {[act](const Command& command) {
                 QWidget* modal = QApplication::activeModalWidget();
                 if (!modal) throw NotYet();
@@ -178,14 +178,14 @@ CommandHandler inModal(void (*act)(QWidget*, const Command&)) {
             Boxes::Subject};
 }
 
-void expectModal(QWidget* modal, const Command& command) {
-    if (!describeBox(modal).contains(QRegularExpression(command.rest)))
-        throw CommandError("the box says: " + describeBox(modal));
+void expect_modal(QWidget* modal, const Command& command) {
+    if (!describe_box(modal).contains(QRegularExpression(command.rest)))
+        throw CommandError("the box says: " + describe_box(modal));
 }
 
 /// Of one layer, on white, which is entry 2 of the backgrounds. MeshLab adds two digits, the
 /// counter, to the base name.
-QString fillSnapshotBox(QWidget* box, const QFileInfo& target, int tiles) {
+QString fill_snapshot_box(QWidget* box, const QFileInfo& target, int tiles) {
     const struct {
         const char *name, *property;
         QVariant value;
@@ -203,14 +203,14 @@ QString fillSnapshotBox(QWidget* box, const QFileInfo& target, int tiles) {
 }
 
 // FILE TILES
-void takeSnapshot(const Command& command) {
+void take_snapshot(const Command& command) {
     const QFileInfo target(command.word(0));
     QString written, error;
-    QTimer::singleShot(0, requireMainWindow(), [&] {  // runs inside the box's event loop
+    QTimer::singleShot(0, require_main_window(), [&] {  // runs inside the box's event loop
         auto* box = qobject_cast<QDialog*>(QApplication::activeModalWidget());
         if (!box) return void(error = "MeshLab showed no snapshot box");
         try {
-            written = fillSnapshotBox(box, target, int(command.number(1)));
+            written = fill_snapshot_box(box, target, int(command.number(1)));
             QFile::remove(written);
             box->accept();
         } catch (const CommandError& e) {
@@ -218,7 +218,7 @@ void takeSnapshot(const Command& command) {
             box->reject();
         }
     });
-    QMetaObject::invokeMethod(requireMainWindow(), "saveSnapshot", Qt::DirectConnection);
+    QMetaObject::invokeMethod(require_main_window(), "saveSnapshot", Qt::DirectConnection);
     if (!error.isEmpty()) throw CommandError(error);
     // MeshLab draws tiles later, one per repaint. The time limit ends this otherwise.
     while (!QFileInfo(written).size())
@@ -230,20 +230,21 @@ void takeSnapshot(const Command& command) {
 
 }  // namespace
 
-void addDialogCommands(CommandTable& table) {
+void add_dialog_commands(CommandTable& table) {
     table["trigger"] = {trigger};
     table["check"] = {check};
-    table["expect-action"] = {expectAction};
-    table["set"] = {[](const Command& c) { setField(filterDialog(), c); }};
-    table["apply"] = {[](const Command&) { clickButton(filterDialog(), "Apply"); }};
-    table["close"] = {[](const Command&) { clickButton(filterDialog(), "Close"); }};
-    table["setdeco"] = {setDecorationParameter};
-    table["open-parameters"] = {openDecorationParameters};
-    table["expect-open-parameters"] = {expectOpenParameters};
-    table["expect-modal"] = inModal(expectModal);
-    table["set-modal"] = inModal(setField);
-    table["button"] = inModal([](QWidget* modal, const Command& c) { clickButton(modal, c.rest); });
-    table["snapshot"] = {takeSnapshot};
+    table["expect-action"] = {expect_action};
+    table["set"] = {[](const Command& c) { set_field(filter_dialog(), c); }};
+    table["apply"] = {[](const Command&) { click_button(filter_dialog(), "Apply"); }};
+    table["close"] = {[](const Command&) { click_button(filter_dialog(), "Close"); }};
+    table["setdeco"] = {set_decoration_parameter};
+    table["open-parameters"] = {open_decoration_parameters};
+    table["expect-open-parameters"] = {expect_open_parameters};
+    table["expect-modal"] = in_modal(expect_modal);
+    table["set-modal"] = in_modal(set_field);
+    table["button"] =
+        in_modal([](QWidget* modal, const Command& c) { click_button(modal, c.rest); });
+    table["snapshot"] = {take_snapshot};
 }
 
 }  // namespace driver

@@ -12,20 +12,20 @@
 namespace driver {
 namespace {
 
-const QString decoration = "Laplacian Lines";
+const QString kDecoration = "Laplacian Lines";
 
 std::vector<const MeshModel*> layers() {
-    const MeshDocument* document = shownDocument();
-    return document ? meshlab_host::layersOf(*document) : std::vector<const MeshModel*>();
+    const MeshDocument* document = shown_document();
+    return document ? meshlab_host::layers_of(*document) : std::vector<const MeshModel*>();
 }
 
 /// What MeshLab says in boxes meanwhile, and whether its slot succeeds.
 std::pair<QString, bool> invoke(const char* slot, const Command& command) {
     bool succeeds = false;
-    takeAnsweredTexts();
-    QMetaObject::invokeMethod(requireMainWindow(), slot, Qt::DirectConnection,
+    take_answered_texts();
+    QMetaObject::invokeMethod(require_main_window(), slot, Qt::DirectConnection,
                               Q_RETURN_ARG(bool, succeeds), Q_ARG(QString, command.rest));
-    return {takeAnsweredTexts().join("; "), succeeds};
+    return {take_answered_texts().join("; "), succeeds};
 }
 
 [[noreturn]] void refuse(QString sentence, const QString& said) {
@@ -43,7 +43,7 @@ void load(const Command& command) {
 }
 
 /// Fails on an incomplete project, with MeshLab's message.
-void openProject(const Command& command) {
+void open_project(const Command& command) {
     const auto [said, is_opened] = invoke("openProject", command);
     if (!is_opened || !said.isEmpty() || layers().empty())
         refuse("MeshLab cannot open the project", said);
@@ -51,67 +51,67 @@ void openProject(const Command& command) {
 
 /// Why there are no lines, from the log; empty if it gives no reason.
 QString refusal() {
-    MeshDocument* document = shownDocument();
+    MeshDocument* document = shown_document();
     const MeshModel* layer = document ? document->mm() : nullptr;
-    const QString beginning = decoration + ": " + (layer ? layer->label() + ": " : QString());
-    const QString log = logText();
+    const QString beginning = kDecoration + ": " + (layer ? layer->label() + ": " : QString());
+    const QString log = log_text();
     const int place = log.lastIndexOf(beginning);
     return place < 0 ? QString() : log.mid(place + beginning.size()).section('\n', 0, 0);
 }
 
 /// What the log has to say of meshes, once.
-void sayWarnings() {
+void say_warnings() {
     static int told = 0;  // characters of the log
-    const QString log = logText();
+    const QString log = log_text();
     for (const QString& line : log.mid(log.size() < told ? 0 : told).split('\n'))
         if (line.contains(": Warning: ")) say("warning: " + line.trimmed().toStdString());
     told = log.size();
 }
 
 QAction* drawn() {
-    QAction* action = requireAction(decoration);
+    QAction* action = require_action(kDecoration);
     if (!action->isChecked()) action->trigger();
     return action;
 }
 
-void drawLines(const Command&) {
+void draw_lines(const Command&) {
     const QAction* action = drawn();
-    sayWarnings();
+    say_warnings();
     if (action->isChecked()) return;
     const QString reason = refusal();
     throw CommandError(reason.isEmpty() ? "MeshLab does not draw the lines" : reason);
 }
 
 /// MeshLab switches decorations on layer by layer; the log tells which have no lines.
-void drawAllLines(const Command&) {
+void draw_all_lines(const Command&) {
     for (const MeshModel* layer : layers()) {
-        shownDocument()->setCurrentMesh(layer->id());
+        shown_document()->setCurrentMesh(layer->id());
         drawn();
     }
 }
 
 /// Lines thinner than a pixel would have gaps: small views use a window's widths.
-void scaleLines(const Command& command) {
-    QGLWidget* area = requireView();
+void scale_lines(const Command& command) {
+    QGLWidget* area = require_view();
     const double scale = std::min(area->width(), area->height()) / command.number(0);
     area->setProperty(line_scale_property, std::max(scale, 1.0));
     area->update();
 }
 
 /// So that pictures do not depend on timing.
-void waitForDrawings(const Command&) {
-    requireView()->setProperty(waits_property, true);
+void wait_for_drawings(const Command&) {
+    require_view()->setProperty(waits_property, true);
 }
 
 }  // namespace
 
-void addDrawingCommands(CommandTable& table) {
+void add_drawing_commands(CommandTable& table) {
     table["load"] = {load, Boxes::Answered};
-    table["open-project"] = {openProject, Boxes::Answered};
-    table["draw-lines"] = {drawLines};
-    table["draw-all-lines"] = {drawAllLines};
-    table["scale-lines"] = {scaleLines};
-    table["wait-for-drawings"] = {waitForDrawings};
+    table["open-project"] = {open_project, Boxes::Answered};
+    table["draw-lines"] = {draw_lines};
+    table["draw-all-lines"] = {draw_all_lines};
+    table["scale-lines"] = {scale_lines};
+    table["wait-for-drawings"] = {wait_for_drawings};
 }
 
 }  // namespace driver

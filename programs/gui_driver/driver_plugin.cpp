@@ -16,12 +16,12 @@ public:
     DriverPlugin();
 
 protected:
-    void listParameters(RichParameterList&) const override {}
+    void list_parameters(RichParameterList&) const override {}
     bool start(MeshModel&, const RichParameterList&, GLArea*) override { return false; }
     void draw(MeshModel&, const RichParameterList&, GLArea*, QPainter*, GLLogStream&) override {}
     void end(MeshModel&, GLArea*) override {}
-    void endAll(GLArea*) override {}
-    void meshGone(GLArea*) override {}
+    void end_all(GLArea*) override {}
+    void mesh_gone(GLArea*) override {}
 };
 
 DriverPlugin::DriverPlugin() : DecoratePluginBase({"LaplacianLinesDriver", "", ""}) {
@@ -30,9 +30,9 @@ DriverPlugin::DriverPlugin() : DecoratePluginBase({"LaplacianLinesDriver", "", "
     const QString script = qEnvironmentVariable("LAPLACIAN_LINES_DRIVER");
     if (script.isEmpty() || !qobject_cast<QApplication*>(QCoreApplication::instance())) return;
     try {
-        driver::runScript(script, this);
+        driver::run_script(script, this);
     } catch (const driver::CommandError& e) {
-        driver::endWithError(e.what());
+        driver::end_with_error(e.what());
     }
 }
 

@@ -24,32 +24,32 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-constexpr double margin = 0.05;        // of the shorter side
-constexpr double line_pixels = 2;      // an outline lies half outside the form
-constexpr std::size_t few_points = 8;  // each of which may be at a side
-constexpr double least_share = 1e-4;   // of the box of all, of what is in its middle
+constexpr double kMargin = 0.05;       // of the shorter side
+constexpr double kLinePixels = 2;      // an outline lies half outside the form
+constexpr std::size_t kFewPoints = 8;  // each of which may be at a side
+constexpr double kLeastShare = 1e-4;   // of the box of all, of what is in its middle
 
 /// The place alone, in floats, as MeshLab keeps it; it keeps more of a camera.
 struct CameraPlace {
     Eigen::Matrix3f axes;    // in the scene: rows right, up, and towards the viewer
     Eigen::Vector3f target;  // any point in the middle of the picture
     double distance;         // of the eye from it; if orthographic, half of the picture's height
-    double angle;            // from the bottom of the picture to its top; orthographic_angle
+    double angle;            // from the bottom of the picture to its top; kOrthographicAngle
     double farthest_behind = 0;  // how far behind the target there is something to be seen
 };
-constexpr double perspective_angle = 60, orthographic_angle = 5;  // degrees, as MeshLab has them
+constexpr double kPerspectiveAngle = 60, kOrthographicAngle = 5;  // degrees, as MeshLab has them
 
 // The share of the distance from eye to target that is clipped, and how far before the target an
 // orthographic camera clips, in half heights of the picture.
-constexpr double nearest_shown = 0.1, orthographic_depth = 4;
+constexpr double kNearestShown = 0.1, kOrthographicDepth = 4;
 
 /// Corners of a layer's faces, in the scene.
-void appendCorners(const CMeshO& mesh, Points& points) {
+void append_corners(const CMeshO& mesh, Points& points) {
     std::vector<bool> is_corner(mesh.vert.size());
     for (const CFaceO& face : mesh.face)
         for (int i = 0; i < 3 && !face.IsD(); ++i)
             is_corner[vcg::tri::Index(mesh, face.cV(i))] = true;
-    const Eigen::Affine3d to_scene(meshlab_host::layerTransform(mesh));
+    const Eigen::Affine3d to_scene(meshlab_host::layer_transform(mesh));
     for (std::size_t i = 0; i < mesh.vert.size(); ++i) {
         if (!is_corner[i]) continue;
         const auto& p = mesh.vert[i].cP();
@@ -58,7 +58,7 @@ void appendCorners(const CMeshO& mesh, Points& points) {
     }
 }
 
-Eigen::AlignedBox3d boxOf(const Points& points) {
+Eigen::AlignedBox3d box_of(const Points& points) {
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& p : points)
         box.extend(p);
@@ -66,9 +66,9 @@ Eigen::AlignedBox3d boxOf(const Points& points) {
 }
 
 /// Of the points' box, without a hundredth of them on each side.
-double diagonalOfMost(const Points& points) {
+double diagonal_of_most(const Points& points) {
     const std::size_t aside = points.size() / 100 + 1;
-    if (points.size() < few_points) return boxOf(points).diagonal().norm();
+    if (points.size() < kFewPoints) return box_of(points).diagonal().norm();
     Eigen::Vector3d sizes;
     std::vector<double> coordinates(points.size());
     for (int k = 0; k < 3; ++k) {
@@ -83,15 +83,15 @@ double diagonalOfMost(const Points& points) {
     return sizes.norm();
 }
 
-Points allCorners() {
+Points all_corners() {
     Points points;
-    if (const MeshDocument* document = shownDocument())
-        for (const MeshModel* layer : meshlab_host::layersOf(*document))
-            appendCorners(layer->cm, points);
-    const Eigen::AlignedBox3d box = boxOf(points);
+    if (const MeshDocument* document = shown_document())
+        for (const MeshModel* layer : meshlab_host::layers_of(*document))
+            append_corners(layer->cm, points);
+    const Eigen::AlignedBox3d box = box_of(points);
     if (box.isEmpty() || box.sizes().isZero(0))
         throw CommandError("there is no surface to look at");
-    if (diagonalOfMost(points) < least_share * box.diagonal().norm())
+    if (diagonal_of_most(points) < kLeastShare * box.diagonal().norm())
         throw CommandError(
             "a few vertices lie so far off that nothing could be seen of the rest; delete them");
     return points;
@@ -99,7 +99,7 @@ Points allCorners() {
 
 /// Degrees to the right around the scene and up, at most 90; 0 0 looks against z with y up. Another
 /// axis `up` first turns the scene by the least angle that brings it up: for z, 0 0 looks along y.
-Eigen::Matrix3f axesFrom(double azimuth, double elevation, const QString& up) {
+Eigen::Matrix3f axes_from(double azimuth, double elevation, const QString& up) {
     const double a = qDegreesToRadians(azimuth), e = qDegreesToRadians(elevation);
     Eigen::Matrix3d axes, turned;
     axes << std::cos(a), 0, -std::sin(a),  //
@@ -117,14 +117,14 @@ Eigen::Matrix3f axesFrom(double azimuth, double elevation, const QString& up) {
 }
 
 /// Half of the part to fill of a picture of height 2.
-Eigen::Vector2d windowWithinMargin(const QSize& view) {
-    const double border = margin * std::min(view.width(), view.height()) + line_pixels;
+Eigen::Vector2d window_within_margin(const QSize& view) {
+    const double border = kMargin * std::min(view.width(), view.height()) + kLinePixels;
     return Eigen::Vector2d(view.width() - 2 * border, view.height() - 2 * border) / view.height();
 }
 
 /// How far from the origin an eye has to be to show all points within the window along an axis of
 /// the picture: p is, at a distance of 1, if |p[axis] - eye[axis]| <= half_size (eye.z - p.z).
-double leastDistance(const Points& points, int axis, double half_size) {
+double least_distance(const Points& points, int axis, double half_size) {
     double left = -std::numeric_limits<double>::infinity(), right = left;
     for (const Eigen::Vector3d& p : points) {
         right = std::max(right, p[axis] + half_size * p.z());
@@ -135,7 +135,7 @@ double leastDistance(const Points& points, int axis, double half_size) {
 
 /// Where the eye sees the outermost points on both sides at the same angle. Which these are changes
 /// as the eye moves, since near ones shift faster: iterate until they stay.
-double middleSeenFrom(double distance, const Points& points, int axis) {
+double middle_seen_from(double distance, const Points& points, int axis) {
     constexpr int most_rounds = 20;
     double eye = 0;
     for (int round = 0; round < most_rounds; ++round) {
@@ -152,43 +152,43 @@ double middleSeenFrom(double distance, const Points& points, int axis) {
 }
 
 /// The next distance that the mouse wheel reaches from MeshLab's first camera, in quarter notches.
-double wheelDistance(double least, double diagonal) {
-    const double first = diagonal * 1.75 / 3 / std::tan(qDegreesToRadians(perspective_angle / 2));
+double wheel_distance(double least, double diagonal) {
+    const double first = diagonal * 1.75 / 3 / std::tan(qDegreesToRadians(kPerspectiveAngle / 2));
     const double step = std::pow(1.2, 0.25);
     return first * std::pow(step, std::ceil(std::log(least / first) / std::log(step)));
 }
 
 /// The target, in the points' coordinates, is the origin moved across the picture.
-CameraPlace perspectivePlace(const Points& points, const Eigen::Vector2d& window, double zoom,
-                             double diagonal) {
-    const double tangent = std::tan(qDegreesToRadians(perspective_angle / 2));
+CameraPlace perspective_place(const Points& points, const Eigen::Vector2d& window, double zoom,
+                              double diagonal) {
+    const double tangent = std::tan(qDegreesToRadians(kPerspectiveAngle / 2));
     double least = 0;
     for (int axis = 0; axis < 2; ++axis)
-        least = std::max(least, leastDistance(points, axis, tangent * window[axis]));
+        least = std::max(least, least_distance(points, axis, tangent * window[axis]));
     for (const Eigen::Vector3d& p : points)
-        least = std::max(least, p.z() / (1 - nearest_shown));
+        least = std::max(least, p.z() / (1 - kNearestShown));
     CameraPlace place;
-    place.distance = wheelDistance(least, diagonal);
-    place.target << float(middleSeenFrom(place.distance, points, 0)),
-        float(middleSeenFrom(place.distance, points, 1)), 0;
+    place.distance = wheel_distance(least, diagonal);
+    place.target << float(middle_seen_from(place.distance, points, 0)),
+        float(middle_seen_from(place.distance, points, 1)), 0;
     place.angle = 2 * qRadiansToDegrees(std::atan(tangent / zoom));
     return place;
 }
 
-CameraPlace orthographicPlace(const Eigen::AlignedBox3d& box, const Eigen::Vector2d& window,
-                              double zoom) {
+CameraPlace orthographic_place(const Eigen::AlignedBox3d& box, const Eigen::Vector2d& window,
+                               double zoom) {
     const Eigen::Vector3d middle = box.center(), sizes = box.sizes() / 2;
     CameraPlace place;
     place.target << float(middle.x()), float(middle.y()), 0;
     place.distance = std::max(sizes.x() / window.x(), sizes.y() / window.y()) / zoom;
-    place.distance = std::max(place.distance, box.max().z() / orthographic_depth);
-    place.angle = orthographic_angle;
+    place.distance = std::max(place.distance, box.max().z() / kOrthographicDepth);
+    place.angle = kOrthographicAngle;
     return place;
 }
 
 /// MeshLab passes views in and out of a GL view by the clipboard.
-QDomDocument viewFromClip() {
-    QMetaObject::invokeMethod(requireView(), "copyToClip", Qt::DirectConnection);
+QDomDocument view_from_clip() {
+    QMetaObject::invokeMethod(require_view(), "copyToClip", Qt::DirectConnection);
     QDomDocument document;
     if (!document.setContent(QApplication::clipboard()->text()) ||
         document.elementsByTagName("VCGCamera").isEmpty())
@@ -196,11 +196,11 @@ QDomDocument viewFromClip() {
     return document;
 }
 
-void viewToClip(const QDomDocument& document) {
+void view_to_clip(const QDomDocument& document) {
     QApplication::clipboard()->setText(document.toString());
-    if (!QMetaObject::invokeMethod(requireView(), "pasteFromClip", Qt::DirectConnection))
+    if (!QMetaObject::invokeMethod(require_view(), "pasteFromClip", Qt::DirectConnection))
         throw CommandError("MeshLab's GL view has no slot to take a camera");
-    requireView()->update();
+    require_view()->update();
 }
 
 QString row(const Eigen::Vector3f& v, int last) {
@@ -212,24 +212,24 @@ QString row(const Eigen::Vector3f& v, int last) {
 }
 
 /// MeshLab's camera shows a ball of this radius, in units of the view's scale, around its pivot.
-constexpr double ball_radius = 1.75;
+constexpr double kBallRadius = 1.75;
 
-double ballDistance(double angle) {
-    return ball_radius / std::sin(qDegreesToRadians(angle / 2));
+double ball_distance(double angle) {
+    return kBallRadius / std::sin(qDegreesToRadians(angle / 2));
 }
 
 // MeshLab measures depths in the view's scale: it has to grow with the distance, for the same
 // clipping as when its own camera zooms.
-void placeCamera(const CameraPlace& place) {
-    QDomDocument document = viewFromClip();
+void place_camera(const CameraPlace& place) {
+    QDomDocument document = view_from_clip();
     QDomElement camera = document.elementsByTagName("VCGCamera").at(0).toElement();
     QDomElement settings = document.elementsByTagName("ViewSettings").at(0).toElement();
-    const bool is_orthographic = place.angle <= orthographic_angle;
-    const double depth = ballDistance(perspective_angle);
-    const double scale = (is_orthographic ? ball_radius : depth) / place.distance;
-    const double eye = is_orthographic ? ballDistance(orthographic_angle) / scale : place.distance;
+    const bool is_orthographic = place.angle <= kOrthographicAngle;
+    const double depth = ball_distance(kPerspectiveAngle);
+    const double scale = (is_orthographic ? kBallRadius : depth) / place.distance;
+    const double eye = is_orthographic ? ball_distance(kOrthographicAngle) / scale : place.distance;
     settings.setAttribute("TrackScale", scale);
-    settings.setAttribute("NearPlane", nearest_shown * depth);
+    settings.setAttribute("NearPlane", kNearestShown * depth);
     settings.setAttribute("FarPlane", scale * (eye + 1.1 * place.farthest_behind));
     camera.setAttribute("CameraType", is_orthographic ? 1 : 0);
     const double picture_height = camera.attribute("ViewportPx").section(' ', 1, 1).toDouble() *
@@ -240,40 +240,40 @@ void placeCamera(const CameraPlace& place) {
     camera.setAttribute("RotationMatrix", axis(0) + axis(1) + axis(2) + "0 0 0 1 ");
     const Eigen::Vector3f eye_place = place.target + float(eye) * place.axes.row(2).transpose();
     camera.setAttribute("TranslationVector", row(-eye_place, 1).trimmed());
-    viewToClip(document);
+    view_to_clip(document);
 }
 
 // AZIMUTH ELEVATION [UP [ZOOM [orthographic]]], computed from the vertices: the view need not be
 // drawn.
 void frame(const Command& command) {
     const Eigen::Matrix3f axes =
-        axesFrom(command.number(0), command.number(1), command.words.value(2, "y"));
+        axes_from(command.number(0), command.number(1), command.words.value(2, "y"));
     const double zoom = command.words.size() > 3 ? command.number(3) : 1;
     if (!(zoom > 0)) throw CommandError("the zoom has to be positive");
-    Points points = allCorners();
-    const Eigen::AlignedBox3d in_scene = boxOf(points);
+    Points points = all_corners();
+    const Eigen::AlignedBox3d in_scene = box_of(points);
     const Eigen::Vector3d centre = in_scene.center();
     for (Eigen::Vector3d& p : points)
         p = axes.cast<double>() * (p - centre);
-    const Eigen::AlignedBox3d box = boxOf(points);
-    const Eigen::Vector2d window = windowWithinMargin(requireView()->size());
+    const Eigen::AlignedBox3d box = box_of(points);
+    const Eigen::Vector2d window = window_within_margin(require_view()->size());
     CameraPlace place = command.words.value(4) == "orthographic"
-                            ? orthographicPlace(box, window, zoom)
-                            : perspectivePlace(points, window, zoom, in_scene.diagonal().norm());
+                            ? orthographic_place(box, window, zoom)
+                            : perspective_place(points, window, zoom, in_scene.diagonal().norm());
     place.axes = axes;
     place.farthest_behind = -box.min().z();
     const Eigen::Vector3f shift = place.target;
     place.target = centre.cast<float>() + shift.x() * axes.row(0).transpose() +
                    shift.y() * axes.row(1).transpose();
-    placeCamera(place);
+    place_camera(place);
 }
 
 /// z if the surfaces are clearly higher along it than wide, as many scans of figures are; else
 /// MeshLab's y. Without a surface there is none.
-std::optional<QString> likelyUp() {
+std::optional<QString> likely_up() {
     constexpr double least_height = 1.3;  // in the larger of the other sizes
     try {
-        const Eigen::Vector3d sizes = boxOf(allCorners()).sizes();
+        const Eigen::Vector3d sizes = box_of(all_corners()).sizes();
         return sizes.z() > least_height * std::max(sizes.x(), sizes.y()) ? "z" : "y";
     } catch (const CommandError&) {
         return std::nullopt;
@@ -281,17 +281,17 @@ std::optional<QString> likelyUp() {
 }
 
 // [UP]: MeshLab's first view has the front already if y is up.
-void frameUpright(const Command& command) {
-    const std::optional<QString> likely = likelyUp();
+void frame_upright(const Command& command) {
+    const std::optional<QString> likely = likely_up();
     const QString up = command.words.value(0, likely.value_or("y"));
-    if (likely && up != "y") frame(parseLine("frame 0 0 " + up));
+    if (likely && up != "y") frame(parse_line("frame 0 0 " + up));
 }
 
 }  // namespace
 
-void addFrameCommands(CommandTable& table) {
+void add_frame_commands(CommandTable& table) {
     table["frame"] = {frame};
-    table["frame-upright"] = {frameUpright};
+    table["frame-upright"] = {frame_upright};
 }
 
 }  // namespace driver

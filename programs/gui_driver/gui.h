@@ -12,26 +12,26 @@ class MeshDocument;
 // MeshLab's widgets by class name: the executable exports no symbols.
 namespace driver {
 
-QMainWindow* mainWindow();         // null before it exists
-QMainWindow* requireMainWindow();  // CommandError when there is none
+QMainWindow* main_window();          // null before it exists
+QMainWindow* require_main_window();  // CommandError when there is none
 
 // Of the current document: the chosen one of the GL views from upper left to lower right, the first
 // by default. Null when there is none.
 QGLWidget* view();
-QGLWidget* requireView();
-void chooseView(int index);
-MeshDocument* shownDocument();  // the view's; null without one
+QGLWidget* require_view();
+void choose_view(int index);
+MeshDocument* shown_document();  // the view's; null without one
 
-QWidget* filterDialog();                      // CommandError when none is open
-QAction* requireAction(const QString& text);  // without '&' and shortcut; CommandError
-void clickButton(QWidget* container, const QString& text);
-QString withoutMnemonic(QString text);  // no '&', no shortcut
+QWidget* filter_dialog();                      // CommandError when none is open
+QAction* require_action(const QString& text);  // without '&' and shortcut; CommandError
+void click_button(QWidget* container, const QString& text);
+QString without_mnemonic(QString text);  // no '&', no shortcut
 
-QString describeBox(QWidget* modal);    // title and text, on one line
-bool acceptOptionsBox(QWidget* modal);  // of a reader of meshes, as they are; false: another box
-void answerBox(QWidget* modal);         // yes, OK, or closed
-QStringList takeAnsweredTexts();        // of the boxes answered since the last call
+QString describe_box(QWidget* modal);     // title and text, on one line
+bool accept_options_box(QWidget* modal);  // of a reader of meshes, as they are; false: another box
+void answer_box(QWidget* modal);          // yes, OK, or closed
+QStringList take_answered_texts();        // of the boxes answered since the last call
 
-QString logText();  // all of MeshLab's log panel; CommandError when there is none
+QString log_text();  // all of MeshLab's log panel; CommandError when there is none
 
 }  // namespace driver

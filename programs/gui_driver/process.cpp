@@ -15,9 +15,9 @@ namespace {
 char last_words[4096];
 unsigned watched_seconds = 0;
 
-void endByAlarm(int) {
+void end_by_alarm(int) {
     const auto written = write(STDERR_FILENO, last_words, std::strlen(last_words));
-    _exit(written < 0 ? failure_exit_code + 1 : failure_exit_code);
+    _exit(written < 0 ? kFailureExitCode + 1 : kFailureExitCode);
 }
 
 }  // namespace
@@ -27,12 +27,12 @@ void say(const std::string& text) {
     std::fflush(stderr);
 }
 
-void endWithError(const std::string& why) {
+void end_with_error(const std::string& why) {
     say("error: " + why);
-    endProcess(failure_exit_code);
+    end_process(kFailureExitCode);
 }
 
-void endProcess(int exit_code) {
+void end_process(int exit_code) {
     alarm(0);  // looking for leaks takes as long as it takes
     std::fflush(nullptr);
     if (__lsan_do_recoverable_leak_check) __lsan_do_recoverable_leak_check();
@@ -43,12 +43,12 @@ void watch(const std::string& what, unsigned seconds) {
     alarm(0);
     std::snprintf(last_words, sizeof last_words, "meshlab_driver: error: %s: time-out after %u s\n",
                   what.c_str(), seconds);
-    std::signal(SIGALRM, endByAlarm);
+    std::signal(SIGALRM, end_by_alarm);
     watched_seconds = seconds;
-    watchOn();
+    watch_on();
 }
 
-void watchOn() {
+void watch_on() {
     alarm(watched_seconds);
 }
 

@@ -4,15 +4,15 @@
 
 namespace driver {
 
-constexpr int failure_exit_code = 3;
+constexpr int kFailureExitCode = 3;
 
 void say(const std::string& text);  // one line on stderr
-[[noreturn]] void endWithError(const std::string& why);
-[[noreturn]] void endProcess(int exit_code);  // at once: no "save changes?" box, no teardown
+[[noreturn]] void end_with_error(const std::string& why);
+[[noreturn]] void end_process(int exit_code);  // at once: no "save changes?" box, no teardown
 
 // Ends the process with an error if neither of these is called within so many seconds, 0 for any:
 // also while a filter or drawing hangs, which no timer of the GUI notices.
 void watch(const std::string& what, unsigned seconds);
-void watchOn();  // the clock begins anew
+void watch_on();  // the clock begins anew
 
 }  // namespace driver

@@ -10,8 +10,8 @@
 namespace driver {
 namespace {
 
-constexpr int between_commands = 60;  // ms, so that MeshLab's own queued events run first
-constexpr int between_retries = 50;
+constexpr int kBetweenCommands = 60;  // ms, so that MeshLab's own queued events run first
+constexpr int kBetweenRetries = 50;
 
 std::string describe(const Command& command) {
     const QString text =
@@ -19,9 +19,9 @@ std::string describe(const Command& command) {
     return text.trimmed().toStdString();
 }
 
-[[noreturn]] void endAt(const Command& command, const std::exception& why) {
+[[noreturn]] void end_at(const Command& command, const std::exception& why) {
     say(std::string("reason: ") + why.what());  // alone, for ./run to tell its user
-    endWithError(describe(command) + ": " + why.what());
+    end_with_error(describe(command) + ": " + why.what());
 }
 
 // Runs the script's commands in MeshLab's event loop.
@@ -30,9 +30,9 @@ public:
     Runner(QVector<Command> script, CommandTable table, QObject* parent);
 
 private:
-    void addOwnCommands();
-    void checkNames() const;
-    void scheduleStep(int milliseconds);
+    void add_own_commands();
+    void check_names() const;
+    void schedule_step(int milliseconds);
     void step();
     bool answers(QWidget* modal);
     void start(const Command& command);
@@ -49,65 +49,65 @@ private:
 
 Runner::Runner(QVector<Command> script, CommandTable table, QObject* parent)
     : QObject(parent), script_(std::move(script)), table_(std::move(table)) {
-    addOwnCommands();
-    checkNames();
+    add_own_commands();
+    check_names();
     watch("waiting for MeshLab's main window", time_limit_);
-    scheduleStep(between_commands);
+    schedule_step(kBetweenCommands);
 }
 
-void Runner::addOwnCommands() {
+void Runner::add_own_commands() {
     table_["time-limit"] = {[this](const Command& c) { time_limit_ = unsigned(c.number(0)); }};
     table_["together"] = {[this](const Command& c) { together(c); }};
-    table_["quit"] = {[](const Command&) { endProcess(0); }};
+    table_["quit"] = {[](const Command&) { end_process(0); }};
 }
 
 // Misspelt commands fail at once, not after minutes.
-void Runner::checkNames() const {
+void Runner::check_names() const {
     for (const Command& command : script_) {
         try {
             find(table_, command.name);
         } catch (const CommandError& e) {
-            endAt(command, e);
+            end_at(command, e);
         }
     }
 }
 
 // A single shot: a repeating timer would not fire inside the event loop of a modal box that its own
 // slot has opened.
-void Runner::scheduleStep(int milliseconds) {
+void Runner::schedule_step(int milliseconds) {
     QTimer::singleShot(milliseconds, this, &Runner::step);
 }
 
 void Runner::step() {
-    QWidget* window = mainWindow();
-    if (!window || !window->isVisible()) return scheduleStep(between_retries);
+    QWidget* window = main_window();
+    if (!window || !window->isVisible()) return schedule_step(kBetweenRetries);
     if (next_ == 0)
         for (QProgressBar* bar : window->findChildren<QProgressBar*>())
-            connect(bar, &QProgressBar::valueChanged, this, [] { watchOn(); });
+            connect(bar, &QProgressBar::valueChanged, this, [] { watch_on(); });
     QWidget* modal = QApplication::activeModalWidget();
     // Without a box, it is a filter's progress that runs the event loop.
     const bool has_to_wait = !modal && !in_progress_.isEmpty();
     if (next_ >= script_.size() && in_progress_.isEmpty())
         return watch("", 0);  // no "quit" at the end: the user goes on by hand
     try {
-        if (has_to_wait || (modal && answers(modal))) return scheduleStep(between_retries);
+        if (has_to_wait || (modal && answers(modal))) return schedule_step(kBetweenRetries);
         if (next_ < script_.size()) start(script_[next_]);
     } catch (const std::exception& e) {  // must not travel through Qt's event loop
-        endAt(in_progress_.isEmpty() ? script_[next_] : in_progress_.last(), e);
+        end_at(in_progress_.isEmpty() ? script_[next_] : in_progress_.last(), e);
     }
 }
 
 /// Otherwise it is left to the next command.
 bool Runner::answers(QWidget* modal) {
-    if (acceptOptionsBox(modal)) return true;
+    if (accept_options_box(modal)) return true;
     if (!in_progress_.isEmpty() &&
         find(table_, in_progress_.last().name).boxes == Boxes::Answered) {
-        answerBox(modal);
+        answer_box(modal);
         return true;
     }
     if (next_ < script_.size() && find(table_, script_[next_].name).boxes == Boxes::Subject)
         return false;
-    throw CommandError("MeshLab says: " + describeBox(modal));
+    throw CommandError("MeshLab says: " + describe_box(modal));
 }
 
 void Runner::start(const Command& command) {
@@ -117,7 +117,7 @@ void Runner::start(const Command& command) {
         watch(describe(command), time_limit_);
     }
     const int position = next_++;
-    scheduleStep(between_commands);  // before the command, which may block in a modal box
+    schedule_step(kBetweenCommands);  // before the command, which may block in a modal box
     in_progress_ << command;
     try {
         find(table_, command.name).handle(command);
@@ -130,7 +130,7 @@ void Runner::start(const Command& command) {
 // COMMAND ; COMMAND...
 void Runner::together(const Command& command) {
     for (const QString& text : command.rest.split(" ; ")) {
-        const Command part = parseLine(text.trimmed());
+        const Command part = parse_line(text.trimmed());
         try {
             find(table_, part.name).handle(part);
         } catch (const NotYet&) {
@@ -141,8 +141,8 @@ void Runner::together(const Command& command) {
 
 }  // namespace
 
-void runScript(const QString& file_name, QObject* parent) {
-    new Runner(readScript(file_name), allCommands(), parent);
+void run_script(const QString& file_name, QObject* parent) {
+    new Runner(read_script(file_name), all_commands(), parent);
 }
 
 }  // namespace driver

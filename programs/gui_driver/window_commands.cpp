@@ -15,9 +15,9 @@ namespace {
 
 // Docked dialogs keep the view from getting small, and change its size when they come and go: put
 // them beside it.
-void undockDialogs(const QSize& window_size) {
+void undock_dialogs(const QSize& window_size) {
     int left = window_size.width();
-    for (QDockWidget* dock : requireMainWindow()->findChildren<QDockWidget*>()) {
+    for (QDockWidget* dock : require_main_window()->findChildren<QDockWidget*>()) {
         if (!dock->isVisible()) continue;
         dock->setFloating(true);
         dock->move(left, 0);
@@ -27,7 +27,7 @@ void undockDialogs(const QSize& window_size) {
 
 // The main window follows the view: the bars around it have sizes of their own, which settle after
 // some events. Before, a window may seem to be too small.
-void setViewSize(const Command& command) {
+void set_view_size(const Command& command) {
     constexpr qint64 settled = 2000;  // ms
     static QElapsedTimer waiting;
     static int line = 0;
@@ -36,11 +36,11 @@ void setViewSize(const Command& command) {
     const QStringList parts = command.rest.split('x');
     const QSize wanted(parts.value(0).toInt(), parts.value(1).toInt());
     if (wanted.isEmpty()) throw CommandError("say WIDTHxHEIGHT");
-    QMainWindow* window = requireMainWindow();
+    QMainWindow* window = require_main_window();
     if (window->isMaximized() || window->isFullScreen()) window->showNormal();
-    QGLWidget* area = requireView();
+    QGLWidget* area = require_view();
     const QSize needed = window->size() + wanted - area->size();
-    undockDialogs(needed);
+    undock_dialogs(needed);
     if (area->size() == wanted) return;
     const QSize least = window->minimumSizeHint(), around = window->size() - area->size();
     if (needed.expandedTo(least) == needed)
@@ -52,20 +52,20 @@ void setViewSize(const Command& command) {
     throw NotYet();
 }
 
-void makeViewCurrent(const Command& command) {
-    chooseView(int(command.number(0)));
+void make_view_current(const Command& command) {
+    choose_view(int(command.number(0)));
     // MeshLab takes the view that got the focus last; a display without window manager may hand out
     // none
-    requireView()->setFocus();
+    require_view()->setFocus();
     QFocusEvent event(QEvent::FocusIn, Qt::OtherFocusReason);
-    QApplication::sendEvent(requireView(), &event);
+    QApplication::sendEvent(require_view(), &event);
 }
 
 // MeshLab's layer list shows an eye, a number and a name, with a star when the layer was changed.
 enum LayerColumn { Eye, Number, Name };
 
-void clickLayer(const Command& command, LayerColumn column) {
-    auto* tree = requireMainWindow()->findChild<QTreeWidget*>("meshTreeWidget");
+void click_layer(const Command& command, LayerColumn column) {
+    auto* tree = require_main_window()->findChild<QTreeWidget*>("meshTreeWidget");
     for (int i = 0; tree && i < tree->topLevelItemCount(); ++i) {
         QTreeWidgetItem* item = tree->topLevelItem(i);
         if (item->text(Number) != command.rest) continue;
@@ -79,8 +79,8 @@ void clickLayer(const Command& command, LayerColumn column) {
 void leave(const Command&) {
     static bool is_closed = false;
     if (!is_closed) {
-        requireView()->update();
-        is_closed = requireMainWindow()->close();
+        require_view()->update();
+        is_closed = require_main_window()->close();
         if (!is_closed) throw CommandError("MeshLab's window does not close");
     }
     throw NotYet();
@@ -88,23 +88,23 @@ void leave(const Command&) {
 
 // repaint, not updateGL: MeshLab draws in paintEvent, and updateGL only clears
 void grab(const Command& command) {
-    QGLWidget* area = requireView();
+    QGLWidget* area = require_view();
     area->repaint();
     if (!area->grabFrameBuffer().save(command.rest))
         throw CommandError("cannot write the picture " + command.rest);
 }
 
-bool logHas(const Command& command) {
-    return logText().contains(QRegularExpression(command.rest));
+bool log_has(const Command& command) {
+    return log_text().contains(QRegularExpression(command.rest));
 }
 
 /// Some lines come with a redraw, late on a busy machine.
-void expectLog(const Command& command) {
-    if (!logHas(command)) throw NotYet();
+void expect_log(const Command& command) {
+    if (!log_has(command)) throw NotYet();
 }
 
-void expectNoLog(const Command& command) {
-    if (logHas(command)) throw CommandError("the log says so");
+void expect_no_log(const Command& command) {
+    if (log_has(command)) throw CommandError("the log says so");
 }
 
 void sleep(const Command& command) {
@@ -114,8 +114,8 @@ void sleep(const Command& command) {
     sleeping.invalidate();
 }
 
-void sendMouse(QEvent::Type type, QPointF point) {
-    QGLWidget* area = requireView();
+void send_mouse(QEvent::Type type, QPointF point) {
+    QGLWidget* area = require_view();
     const bool is_move = type == QEvent::MouseMove;
     const Qt::MouseButtons held =
         type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton;
@@ -127,33 +127,33 @@ void sendMouse(QEvent::Type type, QPointF point) {
 
 // X0 Y0 X1 Y1, in fractions of the view
 void drag(const Command& command) {
-    const QSizeF size = requireView()->size();
+    const QSizeF size = require_view()->size();
     const auto point = [&](int first) {
         return QPointF(command.number(first) * size.width(),
                        command.number(first + 1) * size.height());
     };
     const QPointF from = point(0), to = point(2);
     constexpr int moves = 12;  // a trackball follows the path, not only its end
-    sendMouse(QEvent::MouseButtonPress, from);
+    send_mouse(QEvent::MouseButtonPress, from);
     for (int i = 1; i <= moves; ++i)
-        sendMouse(QEvent::MouseMove, from + (to - from) * i / moves);
-    sendMouse(QEvent::MouseButtonRelease, to);
+        send_mouse(QEvent::MouseMove, from + (to - from) * i / moves);
+    send_mouse(QEvent::MouseButtonRelease, to);
 }
 
 }  // namespace
 
-void addWindowCommands(CommandTable& table) {
+void add_window_commands(CommandTable& table) {
     table["wait"] = {[](const Command&) {
         if (!view()) throw NotYet();
     }};
-    table["size"] = {setViewSize};
-    table["view"] = {makeViewCurrent};
-    table["select-layer"] = {[](const Command& c) { clickLayer(c, Name); }};
-    table["show-layer"] = {[](const Command& c) { clickLayer(c, Eye); }};
+    table["size"] = {set_view_size};
+    table["view"] = {make_view_current};
+    table["select-layer"] = {[](const Command& c) { click_layer(c, Name); }};
+    table["show-layer"] = {[](const Command& c) { click_layer(c, Eye); }};
     table["drag"] = {drag};
     table["grab"] = {grab};
-    table["expect-log"] = {expectLog};
-    table["expect-no-log"] = {expectNoLog};
+    table["expect-log"] = {expect_log};
+    table["expect-no-log"] = {expect_no_log};
     table["sleep"] = {sleep, Boxes::Subject};
     table["leave"] = {leave, Boxes::Answered};
 }

@@ -37,7 +37,7 @@ namespace {
 using Reader = vcg::tri::io::ImporterOBJ<CMeshO>;
 
 /// The reader trusts the file.
-void checkEdges(CMeshO& mesh) {
+void check_edges(CMeshO& mesh) {
     const auto is_vertex = [&](const CVertexO* vertex) {
         return vertex >= mesh.vert.data() && vertex < mesh.vert.data() + mesh.vert.size();
     };
@@ -55,7 +55,7 @@ QString read(const QString& file_name, MeshModel& mesh, int& mask, vcg::CallBack
     mesh.Enable(info.mask);
     const int result = Reader::Open(mesh.cm, name, info);
     if (Reader::ErrorCritical(result)) throw std::runtime_error(Reader::ErrorMsg(result));
-    checkEdges(mesh.cm);
+    check_edges(mesh.cm);
     mesh.Enable(info.mask);  // the reader may have found polygons
     mask = info.mask;
     for (std::string& texture : mesh.cm.textures)

@@ -25,17 +25,17 @@ const char* kind_of(const SheetOption& option) {
 
 nb::list sheet_options() {
     nb::list rows;
-    for (const SheetOption& option : sheetOptionTable()) {
+    for (const SheetOption& option : sheet_option_table()) {
         const std::string key = option.row.key;
-        if (!option.isOf(SheetOption::Place::Command) || key == "damaged" || key == "format")
+        if (!option.is_of(SheetOption::Place::Command) || key == "damaged" || key == "format")
             continue;  // of files
         const Words words = option.words();
         rows.append(dict_of("key"_a = key, "help"_a = option.row.help, "kind"_a = kind_of(option),
                             "minimum"_a = option.row.minimum, "maximum"_a = option.row.maximum,
                             "choices"_a = list_of(option.switch_words.empty() ? words : Words()),
                             "words"_a = list_of(words), "command"_a = option.command(),
-                            "default"_a = option.row.text ? nb::cast(option.valueIn({}))
-                                                      : nb::cast(option.row.get({}))));
+                            "default"_a = option.row.text ? nb::cast(option.value_in({}))
+                                                          : nb::cast(option.row.get({}))));
     }
     return rows;
 }
@@ -54,20 +54,20 @@ nb::dict draw(const nb::list& meshes, const Words& words, const std::string& end
         names.push_back(file.substr(0, file.rfind('.')));
     }
     const std::string format = '.' + ending;
-    SheetChoices choices = readChoices(words);
+    SheetChoices choices = read_choices(words);
     choices.file = format;
-    SheetOptions options = sheetOptions(choices);
+    SheetOptions options = sheet_options(choices);
     options.source = joined(files, ", ");
-    options.title = titleOf(options.title, names);
-    const std::vector<std::string> of_texts = checkTexts(options, format);
+    options.title = title_of(options.title, names);
+    const std::vector<std::string> of_texts = check_texts(options, format);
     Objects objects;
     for (std::size_t i = 0; i < read.size(); ++i)
         objects.push_back({read[i], nullptr, sources[i].name});
     Sheet sheet;
     const std::string content = unlocked([&](const laplacian_lines::Progress& progress) {
-        sheet = makeSheets(objects, {options}, progress).front();
-        sheet.provenance = provenanceText(sources, words);
-        return writeSheet(sheet, format, choices.dpi);
+        sheet = make_sheets(objects, {options}, progress).front();
+        sheet.provenance = provenance_text(sources, words);
+        return write_sheet(sheet, format, choices.dpi);
     });
     sheet.remarks.insert(sheet.remarks.begin(), of_texts.begin(), of_texts.end());
     return dict_of("content"_a = nb::bytes(content.data(), content.size()),

@@ -57,7 +57,7 @@ Options options_of(const std::vector<OptionRow<Options>>& table, const Values& v
 
 nb::list columns() {
     nb::list rows;
-    for (const FieldColumn& column : field_columns)
+    for (const FieldColumn& column : kFieldColumns)
         for (const FieldAttribute& attribute : column.attributes)
             if (attribute.floats > 0)
                 rows.append(dict_of("name"_a = attribute.name, "numbers"_a = attribute.floats,
@@ -68,7 +68,7 @@ nb::list columns() {
 
 nb::list kinds() {
     nb::list rows;
-    for (const LineKindDescription& kind : line_kinds)
+    for (const LineKindDescription& kind : kLineKinds)
         rows.append(dict_of("key"_a = kind.key, "one"_a = kind.one, "many"_a = kind.many,
                             "outline"_a = kind.is_outline, "color"_a = kind.color,
                             "width"_a = kind.width));
@@ -83,7 +83,7 @@ nb::list keys_of_kinds(const std::string& names) {
                                                   "of them are " +
                                                   names_of_kinds() + ".");
     nb::list keys;
-    for (const LineKindDescription& kind : line_kinds)
+    for (const LineKindDescription& kind : kLineKinds)
         if ((*set)[kind.kind]) keys.append(kind.key);
     return keys;
 }
@@ -136,7 +136,7 @@ nb::dict strokes(Surface& surface, const std::array<Direction, 3>& axes,
     frame.towards_viewer = Eigen::Vector3d(axes[2].data());
     if (eye) frame.eye = Eigen::Vector3d(eye->data());
     line_drawing::SheetOptions options;
-    options.style = line_drawing::styleOnPaper(options_of(line_style_table(), values));
+    options.style = line_drawing::style_on_paper(options_of(line_style_table(), values));
     if (light) options.light = Eigen::Vector3d(light->data());
     return arrays_of(unlocked(
         [&](const Progress& progress) { return surface.strokes(frame, options, size, progress); }));
@@ -171,7 +171,7 @@ nb::object read_mesh(const std::string& ending, const nb::bytes& bytes) {
 
 /// Whole or not at all.
 void write_whole(const nb::bytes& file, const nb::bytes& content) {
-    line_drawing::writeWhole({file.c_str(), file.size()}, {content.c_str(), content.size()});
+    line_drawing::write_whole({file.c_str(), file.size()}, {content.c_str(), content.size()});
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ public:
         return visibility_->look(view, {lines}, options, progress);
     }
 
-    /// See line_drawing::strokesOf(); with the field's kernel if the options have one.
+    /// See line_drawing::strokes_of(); with the field's kernel if the options have one.
     std::vector<SightLine> strokes(const line_drawing::ViewFrame& frame,
                                    const line_drawing::SheetOptions& options, double size,
                                    const Progress& progress) {
@@ -85,7 +85,7 @@ public:
         if (has_own_kernel_ && options.style.shows.needs_derivatives())
             extractor(options.style, progress);  // adds them to the field
         const line_drawing::Objects objects = {{mesh_, has_own_kernel_ ? &field_ : nullptr}};
-        return line_drawing::strokesOf(objects, frame, options, progress, size);
+        return line_drawing::strokes_of(objects, frame, options, progress, size);
     }
 
 private:

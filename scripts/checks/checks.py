@@ -9,12 +9,13 @@ import re
 import shutil
 import sys
 
+from checks.names import wrong_names
 from environment import packages
 from environment.build import CHECKOUT, build_folder, build_targets, ctest, processors
 from environment.files import cache_folder
 from environment.messages import Failure, output, quietly, run, run_together, say
 
-PACKAGES = "clang libclang-rt-dev llvm cppcheck git shellcheck python3-pyflakes".split()
+PACKAGES = "clang clang-format libclang-rt-dev llvm cppcheck git shellcheck python3-pyflakes universal-ctags".split()
 LEAST_COVERAGE = 97  # percent of the core's lines
 # Under sanitizers these take minutes: accuracy, many meshes, triangles, options or threads. Others run the same code.
 SLOW_UNDER_SANITIZERS = """*WithAnyOptions* *Converge* *Large* *KindsOnSurface* *ClosedOutlines* EndlessSum.* Determinism.*
@@ -57,7 +58,8 @@ def build_with_clang(preset, *targets):
 
 
 def check_statically():
-    """cppcheck of all C++, with reasons for suppressions; shellcheck of all shell scripts; pyflakes of all Python."""
+    """cppcheck, names and layout of all C++, with reasons for suppressions; shellcheck of all shell scripts; pyflakes of all
+    Python."""
     packages.ensure_packages(*PACKAGES)
     kept = cache_folder() / "cppcheck"  # what has not changed is not analysed again
     kept.mkdir(parents=True, exist_ok=True)
@@ -68,6 +70,11 @@ def check_statically():
         raise Failure("cppcheck found the above: fix it, or say why not in scripts/checks/cppcheck_suppressions.txt")
     files = [CHECKOUT / name for name in output("git", "-c", "safe.directory=*", "-C", CHECKOUT, "ls-files").splitlines()]
     files = [file for file in files if file.is_file()]
+    code = [file for file in files if file.suffix in (".cpp", ".h")]
+    if wrong := list(wrong_names(code)):
+        raise Failure("names of another convention, see docs/CONTRIBUTING.md:\n" + "\n".join(wrong))
+    if run(["clang-format", "--dry-run", "--Werror", *code], stdout=2) != 0:
+        raise Failure("clang-format -i lays out the files named above")
     if run(["shellcheck", *(file for file in files if re.match(rb"#!.*\b(ba)?sh\b", file.read_bytes()))], stdout=2) != 0:
         raise Failure("shellcheck found the above")
     said = output("sh", "-c", '"$0" -m pyflakes "$@" || true', sys.executable, *(file for file in files if file.suffix == ".py"))

@@ -27,7 +27,7 @@ bool contains(const std::string& text, const std::string& part) {
 
 TEST(Documented, NumbersOfKinds) {
     std::string numbers;
-    for (const LineKindDescription& row : line_kinds)
+    for (const LineKindDescription& row : kLineKinds)
         numbers += (numbers.empty() ? "" : ", ") + std::to_string(int(row.kind)) + " " + row.one;
     EXPECT_TRUE(contains(content("docs/script.md"), "`ll_kind` (" + numbers + ")")) << numbers;
 }

@@ -37,7 +37,7 @@ std::string all_documents() {
 
 TEST(FieldColumns, HaveAttributesForAllFloats) {
     std::set<std::string> names;
-    for (const FieldColumn& column : field_columns) {
+    for (const FieldColumn& column : kFieldColumns) {
         EXPECT_TRUE(names.insert(column.key).second) << column.key;
         int floats = 0;
         for (const FieldAttribute& attribute : column.attributes) {
@@ -53,7 +53,7 @@ TEST(FieldColumns, HaveAttributesForAllFloats) {
 
 TEST(FieldColumns, EachHasToFitTheMesh) {
     const auto mesh = test_meshes::mesh_named("single_triangle").mesh;
-    for (const FieldColumn& column : field_columns)
+    for (const FieldColumn& column : kFieldColumns)
         for (const int more : {-1, 1}) {
             Field field = precompute(mesh);
             column.resize(field, mesh.positions.size() + std::size_t(more));
@@ -69,7 +69,7 @@ TEST(FieldColumns, EachHasToFitTheMesh) {
 
 TEST(FieldColumns, AreDocumented) {
     const std::string documents = all_documents();
-    for (const FieldColumn& column : field_columns) {
+    for (const FieldColumn& column : kFieldColumns) {
         const std::size_t row = documents.find("| " + documented_names(column) + " |");
         ASSERT_NE(row, std::string::npos) << column.key;
         const std::string text = documents.substr(row, documents.find('\n', row) - row);

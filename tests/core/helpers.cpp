@@ -248,7 +248,7 @@ bool same_fields(const Field& a, const Field& b) {
                (size == 0 || !std::memcmp(column.read(a), column.read(b),
                                           size * std::size_t(column.floats) * sizeof(float)));
     };
-    return std::all_of(field_columns.begin(), field_columns.end(), same);
+    return std::all_of(kFieldColumns.begin(), kFieldColumns.end(), same);
 }
 
 }  // namespace helpers

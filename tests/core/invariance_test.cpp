@@ -125,7 +125,7 @@ void expect_moved_lines(const Eigen::Matrix3d& turn, double scale, const Eigen::
     const double near = 1e-3;
     const Eigen::Vector3d eye(3, 1, 2);
     int with_lines = 0;
-    for (const LineKindDescription& row : line_kinds)
+    for (const LineKindDescription& row : kLineKinds)
         for (const double w : {0., 1.}) {
             LineStyle style = helpers::only(row.kind);
             style.detail = 80;

@@ -123,7 +123,7 @@ TEST_P(KindsOnSurface, AreNearerTheTrueLinesTheFinerTheMesh) {
     const KindTruth coarse(GetParam().generate(0).mesh, fine, GetParam().border),
         finer(GetParam().generate(1).mesh, fine, GetParam().border);
     int compared = 0;
-    for (const LineKindDescription& row : line_kinds) {
+    for (const LineKindDescription& row : kLineKinds) {
         const bool has_truth = row.depends_on_view || row.kind == LineKind::DemarcatingCurve;
         if (!has_truth) continue;
         const Distance before = coarse.distance(row.kind), now = finer.distance(row.kind);

@@ -17,15 +17,15 @@ namespace {
 using namespace laplacian_lines;
 
 TEST(LineKinds, AreInTheOrderOfTheirNumbers) {
-    for (std::size_t i = 0; i < line_kind_count; ++i)
-        EXPECT_EQ(std::size_t(line_kinds[i].kind), i) << line_kinds[i].key;
+    for (std::size_t i = 0; i < kLineKindCount; ++i)
+        EXPECT_EQ(std::size_t(kLineKinds[i].kind), i) << kLineKinds[i].key;
 }
 
 TEST(LineKinds, HaveNamesOfTheirOwn) {
     for (const auto name : {&LineKindDescription::key, &LineKindDescription::label,
                             &LineKindDescription::one, &LineKindDescription::many}) {
         std::set<std::string> names;
-        for (const LineKindDescription& row : line_kinds) {
+        for (const LineKindDescription& row : kLineKinds) {
             EXPECT_GT(std::strlen(row.*name), 3u);
             EXPECT_TRUE(names.insert(row.*name).second) << row.*name;
         }
@@ -33,7 +33,7 @@ TEST(LineKinds, HaveNamesOfTheirOwn) {
 }
 
 TEST(LineKinds, HaveASwitchInTheOptions) {
-    for (const LineKindDescription& kind : line_kinds) {
+    for (const LineKindDescription& kind : kLineKinds) {
         const auto& table = line_style_table();
         const auto row = std::find_if(table.begin(), table.end(), [&](const auto& option) {
             return std::string(option.key) == kind.key;
@@ -51,12 +51,12 @@ TEST(LineKinds, HaveASwitchInTheOptions) {
 
 /// On surfaces with borders and with edges.
 TEST(LineKinds, AreDrawnAloneAndFollowTheEyeIfTheySaySo) {
-    std::array<std::size_t, line_kind_count> count{};
-    std::array<bool, line_kind_count> follows{};
+    std::array<std::size_t, kLineKindCount> count{};
+    std::array<bool, kLineKindCount> follows{};
     for (const char* name : {"hills", "half_torus", "three_sheets", "rounded_cube"}) {
         const TriangleMesh& mesh = test_meshes::mesh_named(name).mesh;
         const LineExtractor extractor(mesh, helpers::complete_field(mesh));
-        for (const LineKindDescription& row : line_kinds) {
+        for (const LineKindDescription& row : kLineKinds) {
             LineStyle style = helpers::only(row.kind);
             style.detail = 100;
             style.ridge_angle = row.kind == LineKind::Valley ? 5 : 10;
@@ -70,7 +70,7 @@ TEST(LineKinds, AreDrawnAloneAndFollowTheEyeIfTheySaySo) {
                 lines, helpers::extract(extractor, View::perspective({3, 20, 40}), style));
         }
     }
-    for (const LineKindDescription& row : line_kinds) {
+    for (const LineKindDescription& row : kLineKinds) {
         EXPECT_GT(count[std::size_t(row.kind)], 0u) << row.key;
         EXPECT_EQ(follows[std::size_t(row.kind)], row.depends_on_view) << row.key;
     }

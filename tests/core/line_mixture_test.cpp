@@ -15,19 +15,19 @@ std::string kinds(const std::string& names) {
     const std::optional<LineKindSet> set = kinds_named(names);
     if (!set) return "?";
     std::string result;
-    for (const LineKindDescription& row : line_kinds)
+    for (const LineKindDescription& row : kLineKinds)
         if ((*set)[row.kind]) result += (result.empty() ? "" : "+") + std::string(row.key);
     return result;
 }
 
 TEST(LineMixtures, HaveTheOutlinesAndNamesOfTheirOwn) {
     std::set<std::string> names;
-    for (const LineMixture& mixture : line_mixtures) {
+    for (const LineMixture& mixture : kLineMixtures) {
         EXPECT_TRUE(names.insert(mixture.key).second) << mixture.key;
         EXPECT_TRUE(names.insert(mixture.label).second) << mixture.label;
         EXPECT_TRUE(mixture.kinds[LineKind::Contour] && mixture.kinds[LineKind::Border])
             << mixture.key;
-        for (const LineKindDescription& kind : line_kinds) {
+        for (const LineKindDescription& kind : kLineKinds) {
             EXPECT_TRUE(!mixture.colored[kind.kind] || mixture.kinds[kind.kind])
                 << mixture.key << " colors " << kind.key;
             EXPECT_TRUE(!mixture.colored[kind.kind] || kind.key_color) << kind.key;
@@ -36,7 +36,7 @@ TEST(LineMixtures, HaveTheOutlinesAndNamesOfTheirOwn) {
 }
 
 TEST(LineMixtures, AreNamedByKeyOrLabel) {
-    for (const LineMixture& mixture : line_mixtures) {
+    for (const LineMixture& mixture : kLineMixtures) {
         EXPECT_EQ(mixture_named(mixture.key), &mixture);
         EXPECT_EQ(mixture_named(mixture.label), &mixture);
     }
@@ -53,7 +53,7 @@ TEST(KindsNamed, AreThoseWithTheOutlines) {
               "laplacian_lines+contours+ridges+borders+valleys");
     EXPECT_EQ(kinds("ridges_and_valleys"), kinds("ridges+valleys"));
     EXPECT_EQ(kinds("usual"), "laplacian_lines+contours+ridges+borders+creases");
-    for (const LineKindDescription& row : line_kinds)
+    for (const LineKindDescription& row : kLineKinds)
         EXPECT_NE(kinds("all_kinds").find(row.key), std::string::npos) << row.key;
 }
 
@@ -69,7 +69,7 @@ TEST(KindsNamed, AreAllListed) {
         EXPECT_NE(kinds(names.substr(0, end)), "?") << names.substr(0, end);
         names = names.substr(end + 2);
     }
-    EXPECT_GT(count, line_kind_count);
+    EXPECT_GT(count, kLineKindCount);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ std::uint64_t hash_of(const TriangleMesh& mesh) {
 
 std::uint64_t hash_of(const Field& field) {
     Hash hash;
-    for (const FieldColumn& column : field_columns)
+    for (const FieldColumn& column : kFieldColumns)
         hash.add(column.read(field),
                  column.size(field) * std::size_t(column.floats) * sizeof(float));
     return hash.value();

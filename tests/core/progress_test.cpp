@@ -36,7 +36,7 @@ struct Work {
     std::function<void(const Progress&)> run;
     double largest_step;
 };
-const Work all_work[] = {
+const Work kAllWork[] = {
     {"Field",
      [](const Progress& progress) {
          compute(GradientEstimator::TriangleFit, LaplaceOperator::Belkin, progress);
@@ -65,7 +65,7 @@ const Work all_work[] = {
 };
 
 class InProgress : public testing::TestWithParam<Work> {};
-INSTANTIATE_TEST_SUITE_P(Of, InProgress, testing::ValuesIn(all_work),
+INSTANTIATE_TEST_SUITE_P(Of, InProgress, testing::ValuesIn(kAllWork),
                          [](const auto& info) { return info.param.name; });
 
 /// On one thread in small steps: of several, the one that reports may get little of the work.

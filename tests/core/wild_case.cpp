@@ -85,7 +85,7 @@ View wild_view(const TriangleMesh& mesh, Bytes& bytes) {
 Field made_up_field(const TriangleMesh& mesh, Bytes& bytes) {
     Field field;
     field.scale = measure_scale(mesh);
-    for (const FieldColumn& column : field_columns) {
+    for (const FieldColumn& column : kFieldColumns) {
         column.resize(field, mesh.positions.size());
         for (std::size_t i = 0; i < mesh.positions.size() * std::size_t(column.floats); ++i)
             column.write(field)[i] = bytes.are_left() ? bytes.number<float>() : float(i % 7) - 3;

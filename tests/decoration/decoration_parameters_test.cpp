@@ -16,20 +16,20 @@ using laplacian_lines::LineKind;
 using line_renderer::HiddenLines;
 
 RichEnum choice(const char* key, int value) {
-    return {decoration_prefix + key, value, QStringList(), "", ""};
+    return {kDecorationPrefix + key, value, QStringList(), "", ""};
 }
 
 RichFloat number(const char* key, double value) {
-    return {decoration_prefix + key, float(value), "", ""};
+    return {kDecorationPrefix + key, float(value), "", ""};
 }
 
 RichBool tick(const char* key, bool is_on) {
-    return {decoration_prefix + key, is_on, "", ""};
+    return {kDecorationPrefix + key, is_on, "", ""};
 }
 
 RichParameterList listed() {
     RichParameterList list;
-    listDecorationParameters(list);
+    list_decoration_parameters(list);
     return list;
 }
 
@@ -37,7 +37,7 @@ TEST(DecorationParameters, AreFewHaveNamesOfTheirOwnAndToolTipsThatWrap) {
     std::set<QString> names;
     const RichParameterList list = listed();
     for (const RichParameter& parameter : list) {
-        EXPECT_TRUE(parameter.name().startsWith(decoration_prefix));
+        EXPECT_TRUE(parameter.name().startsWith(kDecorationPrefix));
         EXPECT_TRUE(names.insert(parameter.name()).second) << parameter.name().toStdString();
         EXPECT_TRUE(Qt::mightBeRichText(parameter.toolTip())) << parameter.name().toStdString();
     }
@@ -45,17 +45,17 @@ TEST(DecorationParameters, AreFewHaveNamesOfTheirOwnAndToolTipsThatWrap) {
 }
 
 TEST(DecorationParameters, AreTheDefaultsWhenNothingIsSet) {
-    const DecorationParameters defaults, read = readValidParameters(listed()).chosen;
+    const DecorationParameters defaults, read = read_valid_parameters(listed()).chosen;
     EXPECT_EQ(read.drawing_style, DrawingStyle::Custom);
-    for (const auto& kind : laplacian_lines::line_kinds) {
+    for (const auto& kind : laplacian_lines::kLineKinds) {
         const line_renderer::LineLook& look = read.appearance.looks[std::size_t(kind.kind)];
         EXPECT_EQ(look.color, QColor(Qt::black));
-        EXPECT_DOUBLE_EQ(look.width, line_renderer::usual_line_width * kind.width);
+        EXPECT_DOUBLE_EQ(look.width, line_renderer::kUsualLineWidth * kind.width);
         EXPECT_DOUBLE_EQ(look.share_within, kind.is_outline ? 0.7 : 1);
         EXPECT_EQ(read.style.shows[kind.kind], kind.shown) << kind.key;
     }
     EXPECT_EQ(read.surface, SurfaceLook::AsMeshLabDrawsIt);
-    EXPECT_FALSE(lightAzimuth(read));
+    EXPECT_FALSE(light_azimuth(read));
     EXPECT_EQ(read.appearance.hidden, HiddenLines::LeftOut);
     EXPECT_EQ(read.at_rest, AtRest::PrintedDrawing);
     EXPECT_EQ(read.style.detail, defaults.style.detail);
@@ -68,8 +68,8 @@ TEST(DecorationParameters, WidenOutlinesInProportion) {
     RichParameterList list;
     list.addParam(number("line_width", 3));
     list.addParam(number("contour_width_factor", 2.5));
-    const DecorationParameters read = readValidParameters(list).chosen;
-    for (const auto& kind : laplacian_lines::line_kinds)
+    const DecorationParameters read = read_valid_parameters(list).chosen;
+    for (const auto& kind : laplacian_lines::kLineKinds)
         EXPECT_DOUBLE_EQ(read.appearance.looks[std::size_t(kind.kind)].width,
                          kind.is_outline ? 7.5 : 3)
             << kind.key;
@@ -84,12 +84,12 @@ TEST(DecorationParameters, DrawingStylesOverrideColorSurfaceAndLight) {
             list.addParam(choice("light", light));
             list.addParam(choice("hidden_lines", 2));
             list.addParam(number("detail", 70));
-            list.addParam(RichColor(decoration_prefix + "line_color", Qt::red, "", ""));
-            const DecorationParameters read = readValidParameters(list).chosen;
+            list.addParam(RichColor(kDecorationPrefix + "line_color", Qt::red, "", ""));
+            const DecorationParameters read = read_valid_parameters(list).chosen;
             for (const line_renderer::LineLook& look : read.appearance.looks)
                 EXPECT_EQ(look.color, QColor(Qt::black));
             EXPECT_EQ(read.surface, SurfaceLook::Paper);
-            EXPECT_EQ(read.light, style == 1 ? at_the_eye : std::max(light, from_the_upper_left));
+            EXPECT_EQ(read.light, style == 1 ? kAtTheEye : std::max(light, kFromTheUpperLeft));
             EXPECT_EQ(read.appearance.hidden, HiddenLines::Dashed);
             EXPECT_EQ(read.style.detail, 70);
         }
@@ -100,10 +100,10 @@ TEST(DecorationParameters, HaveLightsAroundThePicture) {
                                                      {1, -1}, {0, -1}, {-1, -1}, {-1, 0}};
     for (std::size_t i = 0; i < directions.size(); ++i) {
         RichParameterList list;
-        list.addParam(choice("light", from_the_upper_left + int(i)));
-        const auto azimuth = lightAzimuth(readValidParameters(list).chosen);
+        list.addParam(choice("light", kFromTheUpperLeft + int(i)));
+        const auto azimuth = light_azimuth(read_valid_parameters(list).chosen);
         ASSERT_TRUE(azimuth);
-        const Eigen::Vector3d light = meshlab_host::towardsLight(*azimuth);
+        const Eigen::Vector3d light = meshlab_host::towards_light(*azimuth);
         EXPECT_TRUE(light.head<2>().normalized().isApprox(directions[i].normalized(), 1e-12)) << i;
         EXPECT_NEAR(light.z(), std::sqrt(0.5), 1e-12);
     }
@@ -111,16 +111,16 @@ TEST(DecorationParameters, HaveLightsAroundThePicture) {
 
 TEST(DecorationParameters, MixturesOverrideTicksAndSayWhichKindsHaveTheirOwnColor) {
     for (int style : {0, 1})
-        for (std::size_t i = 0; i < laplacian_lines::line_mixtures.size(); ++i) {
-            const laplacian_lines::LineMixture& wanted = laplacian_lines::line_mixtures[i];
+        for (std::size_t i = 0; i < laplacian_lines::kLineMixtures.size(); ++i) {
+            const laplacian_lines::LineMixture& wanted = laplacian_lines::kLineMixtures[i];
             RichParameterList list;
             list.addParam(choice("drawing_style", style));
             list.addParam(choice("lines", int(i) + 1));
             list.addParam(tick("contours", false));
-            const DecorationParameters read = readValidParameters(list).chosen;
+            const DecorationParameters read = read_valid_parameters(list).chosen;
             const bool has_colors =  // Publication is black, but for what is shown in its colors
                 style == 0 || wanted.colored == laplacian_lines::kinds_with_key_color();
-            for (const auto& kind : laplacian_lines::line_kinds) {
+            for (const auto& kind : laplacian_lines::kLineKinds) {
                 EXPECT_EQ(read.style.shows[kind.kind], wanted.kinds[kind.kind])
                     << wanted.key << ": " << kind.key;
                 EXPECT_EQ(read.appearance.looks[std::size_t(kind.kind)].color,
@@ -134,13 +134,13 @@ TEST(DecorationParameters, MixturesOverrideTicksAndSayWhichKindsHaveTheirOwnColo
 TEST(DecorationParameters, OutOfRangeStayAsTheyWereAndAreNamed) {
     RichParameterList good_list, list;
     good_list.addParam(number("line_width", 3));
-    const ValidParameters good = readValidParameters(good_list);
+    const ValidParameters good = read_valid_parameters(good_list);
     EXPECT_TRUE(good.refused.empty());
     list.addParam(number("line_width", 0));
     list.addParam(number("laplacian_lines", NAN));
     list.addParam(number("detail", 70));
-    const ValidParameters once = readValidParameters(list, good.as_set);
-    for (const ValidParameters& read : {once, readValidParameters(list, once.as_set)}) {
+    const ValidParameters once = read_valid_parameters(list, good.as_set);
+    for (const ValidParameters& read : {once, read_valid_parameters(list, once.as_set)}) {
         ASSERT_EQ(read.refused.size(), 2);
         EXPECT_EQ(read.refused[0],
                   "\"Line Width\" is 0. It has to be between 0.1 and 64. Until then it stays 3.");
@@ -149,7 +149,7 @@ TEST(DecorationParameters, OutOfRangeStayAsTheyWereAndAreNamed) {
         EXPECT_TRUE(read.chosen.style.shows[LineKind::Laplacian]);
         EXPECT_EQ(read.chosen.style.detail, 70) << "others count";
     }
-    EXPECT_EQ(readValidParameters(list).chosen.line_width, DecorationParameters().line_width)
+    EXPECT_EQ(read_valid_parameters(list).chosen.line_width, DecorationParameters().line_width)
         << "there was no last time";
 }
 

@@ -16,7 +16,7 @@ namespace {
 /// The driver's command, or why it is refused.
 std::string read(const std::string& text) {
     try {
-        return settingCommands({QString::fromStdString(text)}).join("; ").toStdString();
+        return setting_commands({QString::fromStdString(text)}).join("; ").toStdString();
     } catch (const laplacian_lines::Error& error) {
         return error.what();
     }
@@ -26,7 +26,7 @@ TEST(DecorationSettings, GoByLabelsAndKeys) {
     for (const char* text : {"Detail=70", "detail = 70", " DETAIL =70", "Detail=7e1"})
         EXPECT_EQ(read(text), "setdeco Detail = 70") << text;
     EXPECT_EQ(read("contour_width_factor=2.5"), "setdeco Outline Width = 2.5");
-    EXPECT_EQ(settingCommands({"Detail=0", "ridges=off"}),
+    EXPECT_EQ(setting_commands({"Detail=0", "ridges=off"}),
               (QStringList{"setdeco Detail = 0", "setdeco Ridges = off"}));
 }
 
@@ -60,7 +60,7 @@ TEST(DecorationSettings, ThatAreUnknownNameAllOthers) {
     EXPECT_EQ(read("Detial=70").find("The decoration has no parameter \"Detial\"."), 0u);
     EXPECT_EQ(read("Detail").find("\"Detail\" has no value."), 0u);
     RichParameterList list;
-    listDecorationParameters(list);
+    list_decoration_parameters(list);
     for (const char* text : {"Detial=70", "Detail", "=70"})
         for (const RichParameter& parameter : list)
             EXPECT_NE(
@@ -75,22 +75,22 @@ TEST(DecorationSettings, OfOtherVersionsAreNamedOnce) {
     QCoreApplication::setOrganizationName("laplacian-lines-test");
     QSettings settings;
     for (const char* key : {"detail", "fading", "tones"})
-        settings.setValue(decoration_prefix + key, "<Param/>");
+        settings.setValue(kDecorationPrefix + key, "<Param/>");
     settings.setValue("MeshLab::Decoration::Fading", "<Param/>");
-    EXPECT_EQ(forgetOtherSettings(), "Settings of another version are ignored: fading, tones.");
-    EXPECT_EQ(forgetOtherSettings(), "");
+    EXPECT_EQ(forget_other_settings(), "Settings of another version are ignored: fading, tones.");
+    EXPECT_EQ(forget_other_settings(), "");
     EXPECT_EQ(settings.allKeys().size(), 2);
 }
 
 TEST(ComparedPictures, OfAllAreTheMixturesButThatOfAllKinds) {
-    const auto all = comparedPictures("all");
-    ASSERT_EQ(all.size(), laplacian_lines::line_mixtures.size() - 1);
+    const auto all = compared_pictures("all");
+    ASSERT_EQ(all.size(), laplacian_lines::kLineMixtures.size() - 1);
     EXPECT_EQ(all.front().label, "Laplacian Lines");
     EXPECT_EQ(all.front().commands, QStringList{"setdeco Lines = Outlines and Laplacian Lines"});
 }
 
 TEST(ComparedPictures, AreMixturesOrTickedKinds) {
-    const auto two = comparedPictures("apparent_ridges, ridges+creases");
+    const auto two = compared_pictures("apparent_ridges, ridges+creases");
     ASSERT_EQ(two.size(), 2u);
     EXPECT_EQ(two[0].commands, QStringList{"setdeco Lines = Apparent Ridges"});
     EXPECT_EQ(two[1].commands,
@@ -98,13 +98,13 @@ TEST(ComparedPictures, AreMixturesOrTickedKinds) {
                            "setdeco Outlines = on", "setdeco Ridges = on", "setdeco Borders = on",
                            "setdeco Creases = on"}));
     EXPECT_TRUE(
-        comparedPictures("usual").front().commands.contains("setdeco Laplacian Lines = on"));
+        compared_pictures("usual").front().commands.contains("setdeco Laplacian Lines = on"));
 }
 
 TEST(ComparedPictures, OfUnknownNamesListThose) {
     for (const char* names : {"", "ridge", "ridges,", "valleys", "ridges+valleys"})
         try {
-            comparedPictures(names);
+            compared_pictures(names);
             ADD_FAILURE() << names << " is taken";
         } catch (const laplacian_lines::Error& error) {
             EXPECT_NE(std::string(error.what()).find("ridges_and_valleys, "), std::string::npos);

@@ -16,12 +16,12 @@ namespace {
 class GeometryCheckTest : public testing::Test {
 protected:
     /// Of a redraw after a camera move.
-    bool isDueAfterMove(unsigned presses = 0) {
+    bool is_due_after_move(unsigned presses = 0) {
         modelview_(0, 3) += 1;
-        return check_.isDue(modelview_, presses, &widget_);
+        return check_.is_due(modelview_, presses, &widget_);
     }
-    bool isDueWithoutMove(unsigned presses = 0) {
-        return check_.isDue(modelview_, presses, &widget_);
+    bool is_due_without_move(unsigned presses = 0) {
+        return check_.is_due(modelview_, presses, &widget_);
     }
 
     CountingWidget widget_;
@@ -30,28 +30,28 @@ protected:
 };
 
 TEST_F(GeometryCheckTest, IsDueUnlessTheCameraAloneHasMoved) {
-    EXPECT_TRUE(isDueWithoutMove()) << "the first redraw";
-    EXPECT_FALSE(isDueAfterMove());
-    EXPECT_TRUE(isDueWithoutMove());
-    EXPECT_FALSE(isDueAfterMove());
-    EXPECT_TRUE(isDueAfterMove(1)) << "a key or button was pressed";
-    EXPECT_FALSE(isDueAfterMove(1));
+    EXPECT_TRUE(is_due_without_move()) << "the first redraw";
+    EXPECT_FALSE(is_due_after_move());
+    EXPECT_TRUE(is_due_without_move());
+    EXPECT_FALSE(is_due_after_move());
+    EXPECT_TRUE(is_due_after_move(1)) << "a key or button was pressed";
+    EXPECT_FALSE(is_due_after_move(1));
 }
 
 /// At least every quarter of a second.
 TEST_F(GeometryCheckTest, IsDueNowAndThenWhileTheCameraMoves) {
-    isDueWithoutMove();
+    is_due_without_move();
     QElapsedTimer clock;
     clock.start();
-    while (!isDueAfterMove() && clock.elapsed() < 5000)
+    while (!is_due_after_move() && clock.elapsed() < 5000)
         wait(10);
     EXPECT_GE(clock.elapsed(), 240);
     EXPECT_LT(clock.elapsed(), 5000);
 }
 
 TEST_F(GeometryCheckTest, RedrawsOnceMoreWhenTheCameraHasStopped) {
-    isDueWithoutMove();
-    ASSERT_FALSE(isDueAfterMove());
+    is_due_without_move();
+    ASSERT_FALSE(is_due_after_move());
     wait(1000);
     EXPECT_EQ(widget_.redraws(), 1);
 }
@@ -61,9 +61,9 @@ TEST_F(GeometryCheckTest, MayOutliveTheWidget) {
     alignas(QWidget) std::byte place[sizeof(QWidget)];
     auto* const widget = new (place) QWidget;
     GeometryCheck check;
-    check.isDue(modelview_, 0, widget);
+    check.is_due(modelview_, 0, widget);
     modelview_(0, 3) += 1;
-    ASSERT_FALSE(check.isDue(modelview_, 0, widget));
+    ASSERT_FALSE(check.is_due(modelview_, 0, widget));
     widget->~QWidget();
     std::memset(place, 0xff, sizeof place);
     wait(400);

@@ -7,16 +7,16 @@
 
 namespace {
 
-meshlab_host::FieldKey keyOf(unsigned number) {
+meshlab_host::FieldKey key_of(unsigned number) {
     meshlab_host::FieldKey key;
     key.stamp.hash = number;
     return key;
 }
 
 /// The number stands for a geometry.
-PreparedLinesPointer linesOf(unsigned number) {
+PreparedLinesPointer lines_of(unsigned number) {
     auto lines = std::make_shared<PreparedLines>();
-    lines->key = keyOf(number);
+    lines->key = key_of(number);
     return lines;
 }
 
@@ -24,7 +24,7 @@ class LineCacheTest : public testing::Test {
 protected:
     /// Assigns new lines; only a weak pointer is left here.
     std::weak_ptr<PreparedLines> assign(LineCache::View view, int mesh, unsigned number) {
-        PreparedLinesPointer lines = linesOf(number);
+        PreparedLinesPointer lines = lines_of(number);
         cache_.assign(view, mesh, lines);
         return lines;
     }
@@ -36,10 +36,10 @@ protected:
 
 TEST_F(LineCacheTest, FindsLinesByTheirContent) {
     assign(left_, 0, 1);
-    ASSERT_TRUE(cache_.find(keyOf(1)));
-    EXPECT_EQ(cache_.find(keyOf(1)), cache_.at(left_, 0));
-    EXPECT_EQ(cache_.find(keyOf(2)), nullptr);
-    meshlab_host::FieldKey other_options = keyOf(1);
+    ASSERT_TRUE(cache_.find(key_of(1)));
+    EXPECT_EQ(cache_.find(key_of(1)), cache_.at(left_, 0));
+    EXPECT_EQ(cache_.find(key_of(2)), nullptr);
+    meshlab_host::FieldKey other_options = key_of(1);
     other_options.options = {0.5};
     EXPECT_EQ(cache_.find(other_options), nullptr);
 }
@@ -49,16 +49,16 @@ TEST_F(LineCacheTest, FindsWhatIsReleasedUntilTheTurnEnds) {
     const auto lines = assign(left_, 0, 1);
     cache_.release(left_, 0);
     EXPECT_EQ(cache_.at(left_, 0), nullptr);
-    ASSERT_TRUE(cache_.find(keyOf(1)));
+    ASSERT_TRUE(cache_.find(key_of(1)));
     wait(0);
     EXPECT_TRUE(lines.expired());
-    EXPECT_EQ(cache_.find(keyOf(1)), nullptr);
+    EXPECT_EQ(cache_.find(key_of(1)), nullptr);
 }
 
 TEST_F(LineCacheTest, KeepsLinesAsLongAsSomeoneUsesThem) {
     const auto lines = assign(left_, 0, 1);
     cache_.assign(right_, 7, lines.lock());
-    cache_.releaseView(left_);
+    cache_.release_view(left_);
     wait(0);
     EXPECT_FALSE(lines.expired());
     cache_.release(right_, 7);
@@ -69,7 +69,7 @@ TEST_F(LineCacheTest, KeepsLinesAsLongAsSomeoneUsesThem) {
 TEST_F(LineCacheTest, ReleasesMeshesThatAreGone) {
     const auto gone = assign(left_, 2, 1), kept = assign(left_, 3, 2);
     const auto elsewhere = assign(right_, 2, 3);
-    cache_.releaseAllBut(left_, {0, 3, 9});
+    cache_.release_all_but(left_, {0, 3, 9});
     wait(0);
     EXPECT_TRUE(gone.expired());
     EXPECT_FALSE(kept.expired());
@@ -81,7 +81,7 @@ TEST_F(LineCacheTest, ReleasesWhatIsNotAssignedAgainInTheSameTurn) {
     const auto gone = assign(left_, 0, 1), kept = assign(left_, 1, 2);
     const auto elsewhere = assign(right_, 0, 3);
     wait(0);
-    cache_.releaseUnlessAssigned(left_);
+    cache_.release_unless_assigned(left_);
     EXPECT_TRUE(cache_.at(left_, 0)) << "not yet";
     cache_.assign(left_, 1, kept.lock());
     wait(0);
@@ -96,11 +96,11 @@ TEST_F(LineCacheTest, ReleasesWhatIsNotAssignedAgainInTheSameTurn) {
 TEST_F(LineCacheTest, ChecksGeometryWhereThereAreNoLines) {
     QWidget widget;
     const Eigen::Matrix4d still = Eigen::Matrix4d::Identity(), moved = 2 * still;
-    EXPECT_TRUE(cache_.isCheckDue(left_, 0, still, &widget));
+    EXPECT_TRUE(cache_.is_check_due(left_, 0, still, &widget));
     assign(left_, 0, 1);
-    EXPECT_TRUE(cache_.isCheckDue(left_, 0, still, &widget)) << "the first redraw";
-    EXPECT_FALSE(cache_.isCheckDue(left_, 0, moved, &widget)) << "the camera has moved";
-    EXPECT_TRUE(cache_.isCheckDue(right_, 0, moved, &widget)) << "another view";
+    EXPECT_TRUE(cache_.is_check_due(left_, 0, still, &widget)) << "the first redraw";
+    EXPECT_FALSE(cache_.is_check_due(left_, 0, moved, &widget)) << "the camera has moved";
+    EXPECT_TRUE(cache_.is_check_due(right_, 0, moved, &widget)) << "another view";
 }
 
 class KeptLinesTest : public testing::Test {
@@ -152,19 +152,19 @@ TEST_F(KeptLinesTest, CountOnceWhereMeshesShareThem) {
     kept_.keep(one_, 1, lines.lock());
     kept_.keep(other_, 5, lines.lock());
     EXPECT_EQ(kept_.bytes(), 80u);
-    kept_.forgetAllBut(one_, {});
+    kept_.forget_all_but(one_, {});
     EXPECT_FALSE(lines.expired());
-    kept_.forgetAllBut(other_, {});
+    kept_.forget_all_but(other_, {});
     EXPECT_TRUE(lines.expired());
 }
 
 TEST_F(KeptLinesTest, GoWithTheirMeshAndTheirDocument) {
     const auto stays = keep(one_, 1, 10), gone = keep(one_, 3, 10), elsewhere = keep(other_, 3, 10);
-    kept_.forgetAllBut(one_, {0, 1, 2});
+    kept_.forget_all_but(one_, {0, 1, 2});
     EXPECT_FALSE(stays.expired());
     EXPECT_TRUE(gone.expired());
     EXPECT_FALSE(elsewhere.expired());
-    kept_.forgetAllBut(other_, {});
+    kept_.forget_all_but(other_, {});
     EXPECT_TRUE(elsewhere.expired());
 }
 

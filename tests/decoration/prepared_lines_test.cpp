@@ -8,14 +8,14 @@
 
 namespace {
 
-using meshlab_host::fieldSource;
-using meshlab_host::withDerivatives;
+using meshlab_host::field_source;
+using meshlab_host::with_derivatives;
 
 class PreparedLinesTest : public testing::Test {
 protected:
-    PreparedLinesTest() { makeSheet(mesh_, 30); }
+    PreparedLinesTest() { make_sheet(mesh_, 30); }
 
-    laplacian_lines::LineSet linesOf(const PreparedLines& prepared) {
+    laplacian_lines::LineSet lines_of(const PreparedLines& prepared) {
         laplacian_lines::LineStyle style;
         style.shows = laplacian_lines::all_kinds();
         laplacian_lines::ExtractionScratch scratch;
@@ -33,21 +33,22 @@ protected:
 };
 
 TEST_F(PreparedLinesTest, GetDerivativesWithoutBeingPreparedAgain) {
-    const auto source = fieldSource(mesh_);
-    const PreparedLinesPointer lines = prepareLines(mesh_, "sheet", source, say());
-    const PreparedLinesPointer whole = prepareLines(mesh_, "sheet", withDerivatives(source), say());
+    const auto source = field_source(mesh_);
+    const PreparedLinesPointer lines = prepare_lines(mesh_, "sheet", source, say());
+    const PreparedLinesPointer whole =
+        prepare_lines(mesh_, "sheet", with_derivatives(source), say());
     EXPECT_FALSE(lines->has_derivatives);
     EXPECT_TRUE(whole->has_derivatives);
     EXPECT_FALSE(lines->key < whole->key || whole->key < lines->key) << "they are found alike";
-    EXPECT_NE(linesOf(*lines).points.size(), linesOf(*whole).points.size());
+    EXPECT_NE(lines_of(*lines).points.size(), lines_of(*whole).points.size());
 
     const auto surface = lines->surface;
     said_.clear();
-    addDerivatives(*lines, mesh_, "sheet", source, say());
+    add_derivatives(*lines, mesh_, "sheet", source, say());
     EXPECT_TRUE(lines->has_derivatives);
     EXPECT_EQ(lines->lack, "");
     EXPECT_EQ(lines->surface, surface);
-    EXPECT_EQ(linesOf(*lines).points.size(), linesOf(*whole).points.size());
+    EXPECT_EQ(lines_of(*lines).points.size(), lines_of(*whole).points.size());
     EXPECT_EQ(lines->bytes, whole->bytes) << "the field is not kept any longer";
     EXPECT_EQ(said_.filter("default options").size(), 0);
     EXPECT_EQ(said_.filter("also need").size(), 1);
@@ -55,17 +56,17 @@ TEST_F(PreparedLinesTest, GetDerivativesWithoutBeingPreparedAgain) {
 
 /// Fails because the mesh is another one.
 TEST_F(PreparedLinesTest, StayAsTheyAreWithoutDerivatives) {
-    const auto source = fieldSource(mesh_);
-    const PreparedLinesPointer lines = prepareLines(mesh_, "sheet", source, say());
-    const std::size_t points = linesOf(*lines).points.size();
+    const auto source = field_source(mesh_);
+    const PreparedLinesPointer lines = prepare_lines(mesh_, "sheet", source, say());
+    const std::size_t points = lines_of(*lines).points.size();
     CMeshO other;
-    makeSheet(other, 20);
-    addDerivatives(*lines, other, "other", fieldSource(other), say());
+    make_sheet(other, 20);
+    add_derivatives(*lines, other, "other", field_source(other), say());
     EXPECT_FALSE(lines->has_derivatives);
     EXPECT_NE(lines->lack, "");
     EXPECT_EQ(lines->failure, "");
-    EXPECT_EQ(linesOf(*lines).points.size(), points);
-    addDerivatives(*lines, mesh_, "sheet", source, say());
+    EXPECT_EQ(lines_of(*lines).points.size(), points);
+    add_derivatives(*lines, mesh_, "sheet", source, say());
     EXPECT_TRUE(lines->has_derivatives);
     EXPECT_EQ(lines->lack, "");
 }

@@ -11,19 +11,19 @@
 
 namespace {
 
-constexpr double pixels_per_mm = 6.4;
+constexpr double kPixelsPerMm = 6.4;
 
 class PrintedViewsTest : public testing::Test {
 protected:
     PrintedViewsTest() {
-        makeSheet(mesh_, 100);
-        scene_ = sceneOf({Eigen::Matrix4d::Identity()});
+        make_sheet(mesh_, 100);
+        scene_ = scene_of({Eigen::Matrix4d::Identity()});
     }
 
     /// The sheet, as often as there are transformations.
-    std::shared_ptr<PrintedScene> sceneOf(const std::vector<Eigen::Matrix4d>& transforms) const {
+    std::shared_ptr<PrintedScene> scene_of(const std::vector<Eigen::Matrix4d>& transforms) const {
         const PreparedLinesPointer lines =
-            prepareLines(mesh_, "sheet", meshlab_host::fieldSource(mesh_), [](const QString&) {});
+            prepare_lines(mesh_, "sheet", meshlab_host::field_source(mesh_), [](const QString&) {});
         std::vector<PlacedMesh> layers;
         for (const Eigen::Matrix4d& transform : transforms)
             layers.push_back({lines->printable, transform});
@@ -37,26 +37,26 @@ protected:
             Eigen::AngleAxisd(degrees * std::acos(-1) / 180, Eigen::Vector3d::UnitY()));
         to_eye.translate(Eigen::Vector3d(-0.5, -0.5, 0));
         const Eigen::Matrix4d projection = Eigen::Vector4d(1.5, 1.5, -0.1, 1).asDiagonal();
-        PrintedView view{scene, to_eye.matrix() * scene->toWorld(), projection, {}, {}};
-        view.window = *windowOf(view.to_eye, projection, {400, 400}, pixels_per_mm);
+        PrintedView view{scene, to_eye.matrix() * scene->to_world(), projection, {}, {}};
+        view.window = *window_of(view.to_eye, projection, {400, 400}, kPixelsPerMm);
         return view;
     }
     Print demand(const PrintedView& view, bool waits = false) {
         return prints_->demand(this, &widget_, view, waits);
     }
     /// Processes events until the view is printed.
-    line_renderer::InkPicturePointer waitFor(const PrintedView& view) {
+    line_renderer::InkPicturePointer wait_for(const PrintedView& view) {
         QElapsedTimer clock;
         clock.start();
         while (!demand(view).is_final && clock.elapsed() < 60000)
             wait(5);
         return demand(view).picture;
     }
-    static int inkOf(const std::vector<std::uint8_t>& grays) {
+    static int ink_of(const std::vector<std::uint8_t>& grays) {
         return int(std::count_if(grays.begin(), grays.end(), [](int gray) { return gray < 128; }));
     }
     static int inked(const line_renderer::InkPicturePointer& picture) {
-        return inkOf(picture->inks.at(0));
+        return ink_of(picture->inks.at(0));
     }
 
     CMeshO mesh_;
@@ -81,7 +81,7 @@ TEST_F(PrintedViewsTest, ComeOnceTheViewIsAtRestAndHaveItRedrawn) {
         wait(20);
     }
     const int before = widget_.redraws();
-    const auto picture = waitFor(turned(30));
+    const auto picture = wait_for(turned(30));
     ASSERT_TRUE(picture);
     wait(50);
     EXPECT_GT(widget_.redraws(), before);
@@ -99,9 +99,9 @@ TEST_F(PrintedViewsTest, StayForASnapshotOfOneTile) {
 }
 
 TEST_F(PrintedViewsTest, AreGivenUpWhenTheViewMoves) {
-    ASSERT_TRUE(waitFor(turned(30)));
+    ASSERT_TRUE(wait_for(turned(30)));
     EXPECT_FALSE(demand(turned(31)).picture);
-    EXPECT_TRUE(waitFor(turned(31)));
+    EXPECT_TRUE(wait_for(turned(31)));
     PrintedView other = turned(31);
     other.chosen.style.detail = 70;
     EXPECT_FALSE(demand(other).picture);
@@ -112,16 +112,16 @@ TEST_F(PrintedViewsTest, AreGivenUpWhenTheViewMoves) {
 }
 
 TEST_F(PrintedViewsTest, GoOnWithAViewWhenAnotherHasWaited) {
-    const auto demandOther = [&] { return prints_->demand(&mesh_, &widget_, turned(40), false); };
+    const auto demand_other = [&] { return prints_->demand(&mesh_, &widget_, turned(40), false); };
     EXPECT_FALSE(demand(turned(20)).picture);
-    EXPECT_FALSE(demandOther().picture);
+    EXPECT_FALSE(demand_other().picture);
     QElapsedTimer clock;
     for (clock.start(); clock.elapsed() < 155;)  // until one of them has begun
         wait(1);
     EXPECT_TRUE(demand(turned(20), true).picture);
-    for (clock.start(); !demandOther().picture && clock.elapsed() < 20000;)
+    for (clock.start(); !demand_other().picture && clock.elapsed() < 20000;)
         wait(5);
-    EXPECT_TRUE(demandOther().picture);
+    EXPECT_TRUE(demand_other().picture);
 }
 
 TEST_F(PrintedViewsTest, SayOnceWhatTheyLack) {
@@ -141,12 +141,12 @@ TEST_F(PrintedViewsTest, SayOnceWhatTheyLack) {
 
 TEST_F(PrintedViewsTest, AreOfLayersHoweverTheyStand) {
     const Eigen::Matrix4d mirrored = Eigen::Vector4d(-2, 1, 1, 1).asDiagonal();
-    const auto placed = demand(turned(20, sceneOf({mirrored})), true).picture;
+    const auto placed = demand(turned(20, scene_of({mirrored})), true).picture;
     for (auto& vertex : mesh_.vert)
         vertex.P().X() *= -2;
     for (auto& face : mesh_.face)
         std::swap(face.V(1), face.V(2));
-    const auto frozen = demand(turned(20, sceneOf({Eigen::Matrix4d::Identity()})), true).picture;
+    const auto frozen = demand(turned(20, scene_of({Eigen::Matrix4d::Identity()})), true).picture;
     EXPECT_GT(inked(frozen), 400);
     EXPECT_EQ(placed->inks, frozen->inks);
 }
@@ -156,9 +156,9 @@ TEST_F(PrintedViewsTest, AreOfAllLayersWhichHideEachOther) {
     Eigen::Matrix4d before = here, beside = here;
     before(2, 3) = 0.5;
     beside(1, 3) = 1;
-    const int one = inked(demand(turned(0, sceneOf({before})), true).picture),
-              hidden = inked(demand(turned(0, sceneOf({here, before})), true).picture),
-              two = inked(demand(turned(0, sceneOf({here, beside})), true).picture);
+    const int one = inked(demand(turned(0, scene_of({before})), true).picture),
+              hidden = inked(demand(turned(0, scene_of({here, before})), true).picture),
+              two = inked(demand(turned(0, scene_of({here, beside})), true).picture);
     EXPECT_NEAR(hidden, one, 0.02 * one);
     EXPECT_GT(two, 1.1 * one) << "as far as the window shows it";
 }
@@ -171,9 +171,9 @@ TEST_F(PrintedViewsTest, HaveAnInkForEachColor) {
     appearance.looks[std::size_t(laplacian_lines::LineKind::Border)].color = Qt::blue;
     appearance.hidden = line_renderer::HiddenLines::Faint;
     const auto inks = demand(view, true).picture->inks;
-    ASSERT_EQ(inks.size(), inksOf(view.chosen).size());
+    ASSERT_EQ(inks.size(), inks_of(view.chosen).size());
     ASSERT_EQ(inks.size(), 3u);
-    const int hidden = inkOf(inks[0]), blue = inkOf(inks[1]), black = inkOf(inks[2]);
+    const int hidden = ink_of(inks[0]), blue = ink_of(inks[1]), black = ink_of(inks[2]);
     EXPECT_GT(std::min({hidden, blue, black}), 20) << hidden << ' ' << blue << ' ' << black;
     EXPECT_NEAR(blue + black, all, 0.1 * all);
     view.chosen.appearance.looks[std::size_t(laplacian_lines::LineKind::Border)].color = Qt::red;
@@ -184,7 +184,7 @@ TEST(WindowOf, IsNoneWhereLengthsDependOnTheDirection) {
     const Eigen::Matrix4d one = Eigen::Matrix4d::Identity();
     const auto of = [&](const Eigen::Vector3d& factors) {
         const Eigen::Matrix4d to_eye = Eigen::Affine3d(Eigen::Scaling(factors)).matrix();
-        return windowOf(to_eye, one, {10, 10}, 1).has_value();
+        return window_of(to_eye, one, {10, 10}, 1).has_value();
     };
     EXPECT_TRUE(of({2, 2, 2}));
     EXPECT_FALSE(of({2, 1, 2}));

@@ -13,14 +13,14 @@ TEST(RedrawMark, IsTheFirstCallWithAPainter) {
     QImage image(8, 8, QImage::Format_RGB32);
     for (int redraw = 0; redraw < 3; ++redraw) {
         QPainter painter(&image);
-        EXPECT_TRUE(beginsRedraw(&painter));
+        EXPECT_TRUE(begins_redraw(&painter));
         painter.setPen(Qt::red);
         painter.setBrush(Qt::blue);
         painter.drawRect(1, 1, 4, 4);
-        EXPECT_FALSE(beginsRedraw(&painter));
+        EXPECT_FALSE(begins_redraw(&painter));
         painter.beginNativePainting();
         painter.endNativePainting();
-        EXPECT_FALSE(beginsRedraw(&painter));
+        EXPECT_FALSE(begins_redraw(&painter));
     }
 }
 

@@ -29,7 +29,7 @@ protected:
         return expected;
     }
 
-    int redrawsAfter(const std::vector<SurfaceLayer>& layers) {
+    int redraws_after(const std::vector<SurfaceLayer>& layers) {
         const int before = widget_.redraws();
         redraw(layers);
         wait(100);
@@ -54,28 +54,28 @@ TEST_F(ViewLayersTest, OfOneViewAreNotThoseOfAnother) {
 }
 
 TEST_F(ViewLayersTest, AreInTheDepthBufferOnlyTogether) {
-    EXPECT_FALSE(layers_.areInDepthBuffer(view_)) << "nothing is known";
+    EXPECT_FALSE(layers_.are_in_depth_buffer(view_)) << "nothing is known";
     redraw({layer(1, true), layer(2, true)});
-    EXPECT_TRUE(layers_.areInDepthBuffer(view_));
+    EXPECT_TRUE(layers_.are_in_depth_buffer(view_));
     redraw({layer(1, true), layer(2, false)});
-    EXPECT_FALSE(layers_.areInDepthBuffer(view_));
+    EXPECT_FALSE(layers_.are_in_depth_buffer(view_));
 }
 
 /// Drawn as if a layer were still in its former place.
 TEST_F(ViewLayersTest, RedrawAViewThatWasWrong) {
-    EXPECT_EQ(redrawsAfter({layer(1), layer(2)}), 1) << "the second one is new";
-    EXPECT_EQ(redrawsAfter({layer(1), layer(2)}), 0);
-    EXPECT_EQ(redrawsAfter({layer(1), layer(3)}), 1) << "the second one has moved";
-    EXPECT_EQ(redrawsAfter({layer(1)}), 1) << "the second one is gone";
-    EXPECT_EQ(redrawsAfter({layer(1)}), 0);
-    EXPECT_EQ(redrawsAfter({layer(4)}), 0) << "the first one is known before any line is drawn";
+    EXPECT_EQ(redraws_after({layer(1), layer(2)}), 1) << "the second one is new";
+    EXPECT_EQ(redraws_after({layer(1), layer(2)}), 0);
+    EXPECT_EQ(redraws_after({layer(1), layer(3)}), 1) << "the second one has moved";
+    EXPECT_EQ(redraws_after({layer(1)}), 1) << "the second one is gone";
+    EXPECT_EQ(redraws_after({layer(1)}), 0);
+    EXPECT_EQ(redraws_after({layer(4)}), 0) << "the first one is known before any line is drawn";
 }
 
 /// Expectations do not matter there.
 TEST_F(ViewLayersTest, DoNotRedrawWhatTheDepthBufferHides) {
-    EXPECT_EQ(redrawsAfter({layer(1, true), layer(2, true)}), 0);
-    EXPECT_EQ(redrawsAfter({layer(1, true), layer(3, true)}), 0);
-    EXPECT_EQ(redrawsAfter({layer(1, true)}), 0);
+    EXPECT_EQ(redraws_after({layer(1, true), layer(2, true)}), 0);
+    EXPECT_EQ(redraws_after({layer(1, true), layer(3, true)}), 0);
+    EXPECT_EQ(redraws_after({layer(1, true)}), 0);
 }
 
 TEST_F(ViewLayersTest, MayOutliveTheWidget) {

@@ -6,7 +6,7 @@
 #include "meshlab_host/meshlab_api.h"
 
 /// n by n vertices.
-inline void makeSheet(CMeshO& mesh, int n) {
+inline void make_sheet(CMeshO& mesh, int n) {
     auto vertex = vcg::tri::Allocator<CMeshO>::AddVertices(mesh, std::size_t(n) * std::size_t(n));
     for (int i = 0; i < n * n; ++i, ++vertex) {
         const double x = double(i % n) / n, y = double(i / n) / n;

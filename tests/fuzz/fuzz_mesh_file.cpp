@@ -10,7 +10,7 @@
 
 namespace {
 
-constexpr std::size_t most_triangles = 60;  // rays meet most of those that lie in one another
+constexpr std::size_t kMostTriangles = 60;  // rays meet most of those that lie in one another
 
 [[noreturn]] void refuse(const char* what) {
     std::fprintf(stderr, "mesh_file: %s\n", what);
@@ -20,15 +20,15 @@ constexpr std::size_t most_triangles = 60;  // rays meet most of those that lie 
 /// Either refused, or drawn with finite numbers.
 void draw(const laplacian_lines::TriangleMesh& mesh) {
     line_drawing::SheetOptions options;
-    options.views = line_drawing::parseViews("front 30,20", line_drawing::UpAxis::Y);
-    options.sections = line_drawing::parseSections("y=0.4");
+    options.views = line_drawing::parse_views("front 30,20", line_drawing::UpAxis::Y);
+    options.sections = line_drawing::parse_sections("y=0.4");
     options.area = line_drawing::OutlineArea::Filled;
     try {
-        const auto sheets = line_drawing::makeSheets({{mesh}}, {options});
-        const std::string svg = line_drawing::writeSheet(sheets.front(), ".svg");
+        const auto sheets = line_drawing::make_sheets({{mesh}}, {options});
+        const std::string svg = line_drawing::write_sheet(sheets.front(), ".svg");
         if (svg.find("nan") != svg.npos || svg.find("inf ") != svg.npos)
             refuse("a drawing without numbers");
-        line_drawing::writeSheet(sheets.front(), ".dxf");
+        line_drawing::write_sheet(sheets.front(), ".dxf");
     } catch (const laplacian_lines::Error&) {
     }
 }
@@ -39,7 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     const mesh_files::MeshInFile file = mesh_files::read_mesh(
         mesh_files::Format::FORMAT, {reinterpret_cast<const char*>(bytes), size});
     if (!sample_files::is_sound(file.mesh)) refuse("a triangle without vertices");
-    if (!file.mesh.triangles.empty() && file.mesh.triangles.size() <= most_triangles)
+    if (!file.mesh.triangles.empty() && file.mesh.triangles.size() <= kMostTriangles)
         draw(file.mesh);
     return 0;
 }

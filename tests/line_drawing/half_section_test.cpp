@@ -11,12 +11,12 @@
 using namespace line_drawing;
 using Eigen::Vector3d;
 using laplacian_lines::TriangleMesh;
-using made_sheets::layerOf;
-using made_sheets::painterPath;
+using made_sheets::layer_of;
+using made_sheets::painter_path;
 
 namespace {
 
-laplacian_lines::TriangleMesh smallVessel(double relief = 1) {
+laplacian_lines::TriangleMesh small_vessel(double relief = 1) {
     test_meshes::VesselShape shape;
     shape.rings = 200;
     shape.columns = 120;
@@ -24,9 +24,9 @@ laplacian_lines::TriangleMesh smallVessel(double relief = 1) {
     return test_meshes::thrown_vessel(shape);
 }
 
-SheetOptions vesselOptions() {
+SheetOptions vessel_options() {
     SheetOptions options;
-    options.views = parseViews("vessel", UpAxis::Y);
+    options.views = parse_views("vessel", UpAxis::Y);
     options.paper = "fit";
     options.scale = 1;
     options.strokes = StrokeStyle::Plain;
@@ -34,7 +34,7 @@ SheetOptions vesselOptions() {
     return options;
 }
 
-TriangleMesh turnedAside(TriangleMesh mesh, double degrees) {
+TriangleMesh turned_aside(TriangleMesh mesh, double degrees) {
     const Eigen::Matrix3d rotation =
         Eigen::AngleAxisd(degrees * M_PI / 180, Vector3d::UnitX()).toRotationMatrix();
     for (Vector3d& p : mesh.positions)
@@ -42,7 +42,7 @@ TriangleMesh turnedAside(TriangleMesh mesh, double degrees) {
     return mesh;
 }
 
-TriangleMesh sherdOf(const TriangleMesh& mesh, double degrees) {
+TriangleMesh sherd_of(const TriangleMesh& mesh, double degrees) {
     TriangleMesh part = mesh;
     part.triangles.clear();
     for (const auto& t : mesh.triangles) {
@@ -55,44 +55,44 @@ TriangleMesh sherdOf(const TriangleMesh& mesh, double degrees) {
 
 TEST(HalfSection, IsRefusedOfWhatIsNoVessel) {
     const auto draw = [](const TriangleMesh& mesh) {
-        return made_sheets::sheetOf(mesh, vesselOptions());
+        return made_sheets::sheet_of(mesh, vessel_options());
     };
-    EXPECT_THROW(draw(made_sheets::cubeOf100()), laplacian_lines::Error);
-    EXPECT_THROW(draw(turnedAside(smallVessel(), 20)), laplacian_lines::Error);
-    EXPECT_THROW(draw(sherdOf(smallVessel(), 60)), laplacian_lines::Error);
-    const Sheet sheet = made_sheets::sheetOf(sherdOf(smallVessel(), 270), vesselOptions());
+    EXPECT_THROW(draw(made_sheets::cube_of100()), laplacian_lines::Error);
+    EXPECT_THROW(draw(turned_aside(small_vessel(), 20)), laplacian_lines::Error);
+    EXPECT_THROW(draw(sherd_of(small_vessel(), 60)), laplacian_lines::Error);
+    const Sheet sheet = made_sheets::sheet_of(sherd_of(small_vessel(), 270), vessel_options());
     ASSERT_EQ(sheet.remarks.size(), 1);
     EXPECT_EQ(sheet.remarks[0].find("Vessel: rim 7"), 0u) << sheet.remarks[0];
-    EXPECT_NE(joined(made_sheets::textsOf(sheet), "|").find("rim 7"), std::string::npos);
+    EXPECT_NE(joined(made_sheets::texts_of(sheet), "|").find("rim 7"), std::string::npos);
 }
 
 TEST(HalfSection, DrawsTheWallOnTheLeftAndTheOutsideOnTheRight) {
-    const Sheet sheet = made_sheets::sheetOf(smallVessel(0), vesselOptions());
+    const Sheet sheet = made_sheets::sheet_of(small_vessel(0), vessel_options());
     const SheetGroup& vessel = sheet.groups.at(0);
     EXPECT_EQ(vessel.key, "vessel");
-    const SheetLayer& wall = layerOf(vessel, "section");
-    QRectF all = made_sheets::extentOf(vessel);
+    const SheetLayer& wall = layer_of(vessel, "section");
+    QRectF all = made_sheets::extent_of(vessel);
     double area = 0;
     for (const SheetPath& path : wall.paths) {
-        EXPECT_LE(painterPath(path.path).boundingRect().right(), all.center().x() + 0.05);
-        if (path.pen_width == 0) area += made_sheets::areaOf(path);
+        EXPECT_LE(painter_path(path.path).boundingRect().right(), all.center().x() + 0.05);
+        if (path.pen_width == 0) area += made_sheets::area_of(path);
     }
     double expected = 0;  // of the profile, which ends on the axis
     const auto profile = test_meshes::vessel_profile(2000);
     for (std::size_t i = 1; i < profile.size(); ++i)
         expected += (profile[i - 1].x() * profile[i].y() - profile[i - 1].y() * profile[i].x()) / 2;
     EXPECT_NEAR(area, std::abs(expected), 0.02 * std::abs(expected));
-    for (const SheetPath& path : layerOf(vessel, "outline").paths)
-        EXPECT_GE(painterPath(path.path).boundingRect().left(), all.center().x() - 0.05);
+    for (const SheetPath& path : layer_of(vessel, "outline").paths)
+        EXPECT_GE(painter_path(path.path).boundingRect().left(), all.center().x() - 0.05);
 }
 
 /// Along the way from `left` to `right` at this height.
-double shareDrawn(const SheetGroup& view, double height, double left, double right) {
+double share_drawn(const SheetGroup& view, double height, double left, double right) {
     std::vector<bool> is_drawn(100);
     for (const SheetLayer& layer : view.layers)
         for (const SheetPath& path : layer.paths)
             for (double t = 0; t <= 1; t += 1e-3) {
-                const QPointF p = painterPath(path.path).pointAtPercent(t);
+                const QPointF p = painter_path(path.path).pointAtPercent(t);
                 const double place = (p.x() - left) / (right - left) * double(is_drawn.size());
                 if (std::abs(p.y() - height) < 0.5 && place >= 0 && place < double(is_drawn.size()))
                     is_drawn[std::size_t(place)] = true;
@@ -101,10 +101,10 @@ double shareDrawn(const SheetGroup& view, double height, double left, double rig
 }
 
 /// From the left edge to the upright line from end to end, mm.
-double axisOf(const SheetGroup& view) {
-    const QRectF all = made_sheets::extentOf(view);
-    for (const SheetPath& path : layerOf(view, "inner").paths) {
-        const QRectF box = painterPath(path.path).boundingRect();
+double axis_of(const SheetGroup& view) {
+    const QRectF all = made_sheets::extent_of(view);
+    for (const SheetPath& path : layer_of(view, "inner").paths) {
+        const QRectF box = painter_path(path.path).boundingRect();
         if (box.width() < 0.01 && box.height() > all.height() - 0.1)
             return box.center().x() - all.left();
     }
@@ -112,31 +112,31 @@ double axisOf(const SheetGroup& view) {
 }
 
 TEST(HalfSection, HasAnAxisAndLinesThroughRimAndBase) {
-    const Sheet sheet = made_sheets::sheetOf(smallVessel(0), vesselOptions());
-    const QRectF all = made_sheets::extentOf(sheet.groups.at(0));
+    const Sheet sheet = made_sheets::sheet_of(small_vessel(0), vessel_options());
+    const QRectF all = made_sheets::extent_of(sheet.groups.at(0));
     const double middle = all.center().x();
-    EXPECT_NEAR(all.left() + axisOf(sheet.groups[0]), middle, 0.2);
-    EXPECT_GT(shareDrawn(sheet.groups[0], all.top(), middle - 15, middle + 15), 0.95);
-    EXPECT_GT(shareDrawn(sheet.groups[0], all.bottom(), middle - 15, middle + 15), 0.95);
+    EXPECT_NEAR(all.left() + axis_of(sheet.groups[0]), middle, 0.2);
+    EXPECT_GT(share_drawn(sheet.groups[0], all.top(), middle - 15, middle + 15), 0.95);
+    EXPECT_GT(share_drawn(sheet.groups[0], all.bottom(), middle - 15, middle + 15), 0.95);
 }
 
 TEST(HalfSection, HasTheAxisOfRevolutionAlsoBesideAHandle) {
-    const TriangleMesh jar = smallVessel();
+    const TriangleMesh jar = small_vessel();
     TriangleMesh mesh = test_meshes::moved(jar, {1000, 7, -300});
     test_meshes::append(mesh,
                         test_meshes::moved(test_meshes::torus(60, 30).mesh, {1100, 107, -300}, 25));
     const auto axis = [](const TriangleMesh& drawn) {
-        return axisOf(made_sheets::sheetOf(drawn, vesselOptions()).groups.at(0));
+        return axis_of(made_sheets::sheet_of(drawn, vessel_options()).groups.at(0));
     };
     EXPECT_NEAR(axis(mesh), axis(jar), 0.3);
 }
 
 TEST(HalfSection, StandsBesideAFrontView) {
-    SheetOptions options = vesselOptions();
-    options.views = parseViews("front,vessel", UpAxis::Y);
-    const Sheet sheet = made_sheets::sheetOf(smallVessel(), options);
-    EXPECT_GT(made_sheets::extentOf(sheet.groups[1]).left(),
-              made_sheets::extentOf(sheet.groups[0]).right());
+    SheetOptions options = vessel_options();
+    options.views = parse_views("front,vessel", UpAxis::Y);
+    const Sheet sheet = made_sheets::sheet_of(small_vessel(), options);
+    EXPECT_GT(made_sheets::extent_of(sheet.groups[1]).left(),
+              made_sheets::extent_of(sheet.groups[0]).right());
 }
 
 }  // namespace

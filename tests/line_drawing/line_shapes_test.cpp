@@ -15,7 +15,7 @@ using Points = std::vector<Vector2d>;
 
 namespace {
 
-constexpr double reach = 0.12;
+constexpr double kReach = 0.12;
 
 /// Across the x axis by `height`, every half millimetre or so.
 DrawnLine zigzag(double height, int points, bool is_exact = false, double spacing = 0.5) {
@@ -36,7 +36,7 @@ double turning(const DrawnLine& line) {
     return sum;
 }
 
-double distanceTo(const Points& line, const Vector2d& p) {
+double distance_to(const Points& line, const Vector2d& p) {
     double least = INFINITY;
     for (std::size_t i = 1; i < line.size(); ++i) {
         const Vector2d &a = line[i - 1], way = line[i] - a;
@@ -46,17 +46,17 @@ double distanceTo(const Points& line, const Vector2d& p) {
     }
     return least;
 }
-double distanceTo(const DrawnLine& line, const Vector2d& p) {
-    return distanceTo(positionsOf(line), p);
+double distance_to(const DrawnLine& line, const Vector2d& p) {
+    return distance_to(positions_of(line), p);
 }
 
 TEST(LineEasing, TakesTheTurnsOutAndStaysWithinReach) {
     const DrawnLine before = zigzag(0.1, 41);
     std::vector<DrawnLine> lines = {before};
-    easeLines(lines, reach);
+    ease_lines(lines, kReach);
     EXPECT_LT(turning(lines[0]), 0.1 * turning(before));
     for (const DrawnPoint& point : lines[0].points)
-        EXPECT_LE(distanceTo(before, point.position), reach + 1e-9);
+        EXPECT_LE(distance_to(before, point.position), kReach + 1e-9);
     EXPECT_EQ(lines[0].points.front().position, before.points.front().position);
     EXPECT_EQ(lines[0].points.back().position, before.points.back().position);
 }
@@ -66,9 +66,9 @@ TEST(LineEasing, HasEndsFollow) {
     const DrawnLine edge{
         LineClass::Edge, false, {{{10.5, 8}}, {contour.points[21].position, 1, 21, true}}};
     std::vector<DrawnLine> lines = {edge, contour};
-    easeLines(lines, reach);
+    ease_lines(lines, kReach);
     EXPECT_GT((lines[0].points.back().position - contour.points[21].position).norm(), 0.02);
-    EXPECT_LT(distanceTo(lines[1], lines[0].points.back().position), 0.01);
+    EXPECT_LT(distance_to(lines[1], lines[0].points.back().position), 0.01);
     EXPECT_EQ(lines[0].points.front().position, edge.points.front().position);
 }
 
@@ -91,10 +91,10 @@ TEST(LineEasing, LeavesNoCorners) {
     const DrawnLine before = zigzag(1.2, 41, false, 2);
     ASSERT_GT(sharpest(before), 60);
     std::vector<DrawnLine> lines = {before};
-    easeLines(lines, reach);
+    ease_lines(lines, kReach);
     EXPECT_LT(sharpest(lines[0]), 25);
     for (const DrawnPoint& point : lines[0].points)
-        EXPECT_LE(distanceTo(before, point.position), reach + 1e-9);
+        EXPECT_LE(distance_to(before, point.position), kReach + 1e-9);
 }
 
 TEST(LineEasing, LeavesNoCornerWhereALoopBegins) {
@@ -105,7 +105,7 @@ TEST(LineEasing, LeavesNoCornerWhereALoopBegins) {
         loop.points.back().is_exact = false;
     }
     std::vector<DrawnLine> lines = {loop};
-    easeLines(lines, reach);
+    ease_lines(lines, kReach);
     DrawnLine twice = lines[0];
     twice.points.insert(twice.points.end(), twice.points.begin() + 1, twice.points.end());
     EXPECT_LT(sharpest(twice), 5);
@@ -113,7 +113,7 @@ TEST(LineEasing, LeavesNoCornerWhereALoopBegins) {
 }
 
 std::size_t kept(const std::vector<DrawnLine>& lines) {
-    return withoutSlightLines(lines, SheetOptions()).size();
+    return without_slight_lines(lines, SheetOptions()).size();
 }
 
 TEST(SlightLines, AreContoursBeforeASmallJumpInDepth) {
@@ -143,13 +143,13 @@ TEST(SlightLines, AreShortContoursThatEndInNothing) {
     EXPECT_EQ(kept({exact}), 1u);
 }
 
-constexpr double tolerance = 0.02;
+constexpr double kTolerance = 0.02;
 
-double largestDistance(const Points& points, const Path& path) {
+double largest_distance(const Points& points, const Path& path) {
     const Points line = path.flattened(0.0005).at(0);
     double largest = 0;
     for (const Vector2d& p : points)
-        largest = std::max(largest, distanceTo(line, p));
+        largest = std::max(largest, distance_to(line, p));
     return largest;
 }
 
@@ -158,8 +158,8 @@ TEST(CurveFitting, ReachesTheEndsOfFlatLoops) {
     for (const double height : {0.0, 0.001, 0.05}) {
         const Points points = {{0, 0}, {70, 0}, {70, height}, {0, height}, {0, 0}};
         Path path;
-        fitCurve(points, true, tolerance, path);
-        EXPECT_LT(largestDistance(points, path), 1.1 * tolerance) << height;
+        fit_curve(points, true, kTolerance, path);
+        EXPECT_LT(largest_distance(points, path), 1.1 * kTolerance) << height;
     }
 }
 
@@ -177,16 +177,16 @@ TEST(CurveFitting, StaysNearLinesOfAnyShape) {
                              step * share(random) * Vector2d(std::cos(angle), std::sin(angle)));
         }
         Path path;
-        fitCurve(points, false, tolerance, path);
+        fit_curve(points, false, kTolerance, path);
         const Points curve = path.flattened(0.0005).at(0);
         double largest = 0;
         for (const Vector2d& p : curve)
-            largest = std::max(largest, distanceTo(points, p));
-        ASSERT_LT(largest, 3 * tolerance) << line;
+            largest = std::max(largest, distance_to(points, p));
+        ASSERT_LT(largest, 3 * kTolerance) << line;
     }
 }
 
-constexpr double double_reach = 0.2;
+constexpr double kDoubleReach = 0.2;
 
 DrawnLine line(LineClass line_class, std::initializer_list<Eigen::Vector2d> positions) {
     DrawnLine result{line_class, false, {}};
@@ -196,15 +196,15 @@ DrawnLine line(LineClass line_class, std::initializer_list<Eigen::Vector2d> posi
 }
 
 TEST(Overlaps, ALineAlongAnOutlineIsLeftOutThereOnly) {
-    const auto rest = withoutDoubles({line(LineClass::Inner, {{0, 5}, {0, 0.1}, {20, 0.1}}),
-                                      line(LineClass::Outline, {{-10, 0}, {30, 0}})},
-                                     double_reach);
+    const auto rest = without_doubles({line(LineClass::Inner, {{0, 5}, {0, 0.1}, {20, 0.1}}),
+                                       line(LineClass::Outline, {{-10, 0}, {30, 0}})},
+                                      kDoubleReach);
     ASSERT_EQ(rest.size(), 2u);
     EXPECT_EQ(rest[0].line_class, LineClass::Outline);
     EXPECT_EQ(rest[0].points.size(), 2u);
     EXPECT_EQ(rest[1].points.front().position, Eigen::Vector2d(0, 5));
     EXPECT_LT(rest[1].points.back().position.y(), 0.4);
-    EXPECT_LE(rest[1].points.back().position.x(), 2 * double_reach);
+    EXPECT_LE(rest[1].points.back().position.x(), 2 * kDoubleReach);
 }
 
 /// A step between two edges that end on different lines has no white beside it, but joins them.
@@ -213,12 +213,12 @@ TEST(Overlaps, ALineAlongAnOutlineIsLeftOutThereOnly) {
 TEST(Overlaps, EdgesDoNotGoPastTheirCorners) {
     std::vector<DrawnLine> lines = {line(LineClass::Contour, {{0, 0}, {0, 10.05}}),
                                     line(LineClass::Contour, {{-9, 10}, {0, 10}})};
-    joinLooseEnds(lines, {}, double_reach);
+    join_loose_ends(lines, {}, kDoubleReach);
     EXPECT_EQ(lines[0].points.back().position, Eigen::Vector2d(0, 10));
     EXPECT_EQ(lines[0].points.size(), 2u) << "without a way back";
     lines = {line(LineClass::Edge, {{-9, 0}, {0.04, 0.1}}),
              line(LineClass::Edge, {{0, 0}, {9, -0.1}})};
-    joinLooseEnds(lines, {}, double_reach);
+    join_loose_ends(lines, {}, kDoubleReach);
     EXPECT_EQ(lines[0].points.back().position, lines[1].points.front().position);
 }
 
@@ -226,9 +226,9 @@ TEST(Overlaps, EdgesDoNotGoPastTheirCorners) {
 TEST(Overlaps, ShortLinesBesideAnotherAreLeftOut) {
     const DrawnLine outline = line(LineClass::Contour, {{0, 0}, {20, 0}});
     const auto rest_of = [&](const DrawnLine& bump) {
-        return withoutDoubles({outline, bump}, double_reach).size() - 1;
+        return without_doubles({outline, bump}, kDoubleReach).size() - 1;
     };
-    const double near = 1.3 * double_reach, far = 2 * double_reach;
+    const double near = 1.3 * kDoubleReach, far = 2 * kDoubleReach;
     const auto bump = [](double x, double height) {
         return line(LineClass::Contour, {{5, 0.1}, {5.1, height}, {x, height}, {x + 0.1, 0.1}});
     };
@@ -240,7 +240,7 @@ TEST(Overlaps, ShortLinesBesideAnotherAreLeftOut) {
     EXPECT_EQ(rest_of(line(LineClass::Contour, {{5, near}, {5.5, 0.1}})), 1u);
 }
 
-constexpr double pen = 0.25;
+constexpr double kPen = 0.25;
 
 /// 10 mm along x, then `length` at `degrees`, in steps of .1 mm.
 DrawnLine hooked(double length, double degrees) {
@@ -255,39 +255,39 @@ DrawnLine hooked(double length, double degrees) {
     return line;
 }
 
-double lengthWithoutHooks(std::vector<DrawnLine> lines) {
-    cutHooks(lines, pen);
-    return lengthOf(lines[0].points);
+double length_without_hooks(std::vector<DrawnLine> lines) {
+    cut_hooks(lines, kPen);
+    return length_of(lines[0].points);
 }
 
 TEST(EndHooks, AreCutAtBothEnds) {
     DrawnLine line = hooked(1, 100);
-    EXPECT_NEAR(lengthWithoutHooks({line}), 10, pen);
+    EXPECT_NEAR(length_without_hooks({line}), 10, kPen);
     std::reverse(line.points.begin(), line.points.end());
-    EXPECT_NEAR(lengthWithoutHooks({line}), 10, pen);
+    EXPECT_NEAR(length_without_hooks({line}), 10, kPen);
 }
 
 TEST(EndHooks, AreNoBendsOfTheFeature) {
-    EXPECT_NEAR(lengthWithoutHooks({hooked(1, 40)}), 11, 1e-6);   // slight
-    EXPECT_NEAR(lengthWithoutHooks({hooked(5, 100)}), 15, 1e-6);  // long
+    EXPECT_NEAR(length_without_hooks({hooked(1, 40)}), 11, 1e-6);   // slight
+    EXPECT_NEAR(length_without_hooks({hooked(5, 100)}), 15, 1e-6);  // long
 }
 
 TEST(EndHooks, AreLongWhereTheyAreFaint) {
     DrawnLine line = hooked(4, 100);
     for (DrawnPoint& point : line.points)
         if (point.position.y() > 0) point.weight = 0.5;
-    EXPECT_NEAR(lengthWithoutHooks({line}), 10, pen);
+    EXPECT_NEAR(length_without_hooks({line}), 10, kPen);
     line = hooked(6, 100);
     for (DrawnPoint& point : line.points)
         if (point.position.y() > 0) point.weight = 0.5;
-    EXPECT_NEAR(lengthWithoutHooks({line}), 16, 1e-6);  // more than a third
+    EXPECT_NEAR(length_without_hooks({line}), 16, 1e-6);  // more than a third
 }
 
 /// Least and greatest width in mm of what is more than `end` from the ends.
 std::pair<double, double> widths(const DrawnLine& line, double end) {
     double least = INFINITY, most = 0;
     for (const DrawnPoint& point : line.points) {
-        const double x = point.position.x(), width = pen * point.weight;
+        const double x = point.position.x(), width = kPen * point.weight;
         if (x < end || x > 10 - end) continue;
         least = std::min(least, width);
         most = std::max(most, width);
@@ -301,20 +301,20 @@ TEST(PointedEnds, AreWhereNothingIsMet) {
         point.weight = 0.1;
     for (const DrawnLine& line : {strong, faint}) {
         std::vector<DrawnLine> lines = {line};
-        pointEnds(lines, pensOf(Weights::Illustrator));
+        point_ends(lines, pens_of(Weights::Illustrator));
         EXPECT_EQ(lines[0].points.front().weight, 0);
         EXPECT_NEAR(lines[0].points.back().weight, 0, 1e-9);
-        EXPECT_GE(widths(lines[0], 6 * pen).first, 0.13 - 1e-9) << "black";
-        EXPECT_NEAR(widths(lines[0], 3.5).second, line.points[0].weight < 1 ? 0.13 : pen, 1e-9);
+        EXPECT_GE(widths(lines[0], 6 * kPen).first, 0.13 - 1e-9) << "black";
+        EXPECT_NEAR(widths(lines[0], 3.5).second, line.points[0].weight < 1 ? 0.13 : kPen, 1e-9);
     }
     std::vector<DrawnLine> lines = {strong, line(LineClass::Outline, {{0, -5}, {0, 5}}),
                                     line(LineClass::Outline, {{10, -5}, {10, 5}})};
-    pointEnds(lines, pensOf(Weights::Illustrator));
-    EXPECT_EQ(widths(lines[0], 0), std::pair(pen, pen));
+    point_ends(lines, pens_of(Weights::Illustrator));
+    EXPECT_EQ(widths(lines[0], 0), std::pair(kPen, kPen));
 }
 
 /// Along x to 10 mm, in steps of .1, towards an outline across the axis at `x`.
-std::vector<DrawnLine> headingFor(double x, double weight = 1) {
+std::vector<DrawnLine> heading_for(double x, double weight = 1) {
     DrawnLine line = hooked(0, 0);
     for (DrawnPoint& point : line.points)
         point.weight = weight;
@@ -322,8 +322,8 @@ std::vector<DrawnLine> headingFor(double x, double weight = 1) {
 }
 
 TEST(InnerEnds, AreLedToTheLineThatTheyHeadFor) {
-    std::vector<DrawnLine> lines = headingFor(10.7);
-    const std::vector<MetEnd> met = joinEnds(lines, pen);
+    std::vector<DrawnLine> lines = heading_for(10.7);
+    const std::vector<MetEnd> met = join_ends(lines, kPen);
     ASSERT_EQ(met.size(), 1u);
     EXPECT_TRUE(met[0].is_last);
     EXPECT_EQ(met[0].met, 1u);
@@ -332,11 +332,11 @@ TEST(InnerEnds, AreLedToTheLineThatTheyHeadFor) {
 }
 
 TEST(InnerEnds, StayWhereNothingIsMet) {
-    std::vector<DrawnLine> far = headingFor(10.8), faint = headingFor(10.7, 0.4),
-                           aside = headingFor(10.7);
+    std::vector<DrawnLine> far = heading_for(10.8), faint = heading_for(10.7, 0.4),
+                           aside = heading_for(10.7);
     aside[1].points = {{{0, 0.6}}, {{20, 0.6}}};
     for (auto* lines : {&far, &faint, &aside}) {
-        EXPECT_TRUE(joinEnds(*lines, pen).empty());
+        EXPECT_TRUE(join_ends(*lines, kPen).empty());
         EXPECT_EQ((*lines)[0].points.back().position.x(), 10);
     }
 }

@@ -15,7 +15,7 @@
 namespace made_sheets {
 
 /// Qt's path, which measures independently.
-inline QPainterPath painterPath(const line_drawing::Path& path) {
+inline QPainterPath painter_path(const line_drawing::Path& path) {
     using Step = line_drawing::Path::Step;
     const auto in_qt = [](const Eigen::Vector2d& p) { return QPointF(p.x(), p.y()); };
     QPainterPath result;
@@ -31,54 +31,54 @@ inline QPainterPath painterPath(const line_drawing::Path& path) {
     return result;
 }
 
-inline QRectF paperOf(const Eigen::Vector2d& size) {
+inline QRectF paper_of(const Eigen::Vector2d& size) {
     return {0, 0, size.x(), size.y()};
 }
 
 /// Along the axes of views.
-inline laplacian_lines::TriangleMesh cubeOf100() {
+inline laplacian_lines::TriangleMesh cube_of100() {
     return test_meshes::moved(test_meshes::cube(4), {0, 0, 0}, 50);
 }
 
-inline line_drawing::Sheet sheetOf(const laplacian_lines::TriangleMesh& mesh,
-                                   const line_drawing::SheetOptions& options) {
-    return line_drawing::makeSheet(mesh, laplacian_lines::precompute(mesh), options);
+inline line_drawing::Sheet sheet_of(const laplacian_lines::TriangleMesh& mesh,
+                                    const line_drawing::SheetOptions& options) {
+    return line_drawing::make_sheet(mesh, laplacian_lines::precompute(mesh), options);
 }
 
-inline line_drawing::SheetOptions plainViews(const char* views, const char* paper = "a0") {
+inline line_drawing::SheetOptions plain_views(const char* views, const char* paper = "a0") {
     line_drawing::SheetOptions options;
-    options.views = line_drawing::parseViews(views, line_drawing::UpAxis::Z);
+    options.views = line_drawing::parse_views(views, line_drawing::UpAxis::Z);
     options.strokes = line_drawing::StrokeStyle::Plain;
     options.paper = paper;
     options.scale = 1;
     return options;
 }
 
-inline const line_drawing::SheetLayer& layerOf(const line_drawing::SheetGroup& group,
-                                               const char* key) {
+inline const line_drawing::SheetLayer& layer_of(const line_drawing::SheetGroup& group,
+                                                const char* key) {
     for (const line_drawing::SheetLayer& layer : group.layers)
         if (layer.key == key) return layer;
     throw std::out_of_range(key);
 }
 
-inline double lengthOf(const line_drawing::SheetLayer& layer) {
+inline double length_of(const line_drawing::SheetLayer& layer) {
     double length = 0;
     for (const line_drawing::SheetPath& path : layer.paths)
-        length += painterPath(path.path).length();
+        length += painter_path(path.path).length();
     return length;
 }
 
 /// Of a view's lines on the sheet, without pen widths.
-inline QRectF extentOf(const line_drawing::SheetGroup& group) {
+inline QRectF extent_of(const line_drawing::SheetGroup& group) {
     QRectF extent;
     for (const line_drawing::SheetLayer& layer : group.layers)
         for (const line_drawing::SheetPath& path : layer.paths)
-            extent = extent.united(painterPath(path.path).boundingRect());
+            extent = extent.united(painter_path(path.path).boundingRect());
     return extent;
 }
 
 /// Of all groups.
-inline line_drawing::Words textsOf(const line_drawing::Sheet& sheet) {
+inline line_drawing::Words texts_of(const line_drawing::Sheet& sheet) {
     line_drawing::Words texts;
     for (const line_drawing::SheetGroup& group : sheet.groups)
         for (const line_drawing::SheetLayer& layer : group.layers)
@@ -88,8 +88,8 @@ inline line_drawing::Words textsOf(const line_drawing::Sheet& sheet) {
 }
 
 /// Of closed loops that do not cross, without holes.
-inline double areaOf(const line_drawing::SheetPath& path) {
-    const auto loops = painterPath(path.path).toSubpathPolygons();
+inline double area_of(const line_drawing::SheetPath& path) {
+    const auto loops = painter_path(path.path).toSubpathPolygons();
     double sum = 0;
     for (const QPolygonF& loop : loops) {
         double twice = 0;

@@ -12,18 +12,18 @@
 #include "with_threads.h"
 
 using namespace line_drawing;
-using made_sheets::cubeOf100;
-using made_sheets::extentOf;
-using made_sheets::painterPath;
-using made_sheets::plainViews;
-using made_sheets::sheetOf;
-using made_sheets::textsOf;
+using made_sheets::cube_of100;
+using made_sheets::extent_of;
+using made_sheets::painter_path;
+using made_sheets::plain_views;
+using made_sheets::sheet_of;
+using made_sheets::texts_of;
 
 namespace {
 
 /// SVG's layer names have to be unique.
 TEST(MeasuredDrawing, OfOneViewTwiceTellsThemApart) {
-    const Sheet sheet = sheetOf(cubeOf100(), plainViews("front,front,front"));
+    const Sheet sheet = sheet_of(cube_of100(), plain_views("front,front,front"));
     EXPECT_EQ(sheet.groups.at(0).key, "front");
     EXPECT_EQ(sheet.groups.at(1).key, "front-2");
     EXPECT_EQ(sheet.groups.at(2).key, "front-3");
@@ -36,7 +36,7 @@ TEST(MeasuredDrawing, TellsProgressOnTheThreadThatAskedForIt) {
     double last = 0;
     std::atomic<int> elsewhere{0};
     const test_meshes::WithThreads several(4);
-    makeSheets({{vessel}}, {plainViews("six")}, [&](double done, const char*) {
+    make_sheets({{vessel}}, {plain_views("six")}, [&](double done, const char*) {
         if (std::this_thread::get_id() != here) {
             ++elsewhere;
             return true;
@@ -51,28 +51,28 @@ TEST(MeasuredDrawing, TellsProgressOnTheThreadThatAskedForIt) {
 
 /// File names may contain anything.
 TEST(MeasuredDrawing, HasTextsOfOneLine) {
-    SheetOptions options = plainViews("front");
+    SheetOptions options = plain_views("front");
     options.title = "A\nB\x01";
     options.source = "cube\r\n.ply";
-    const Sheet sheet = sheetOf(cubeOf100(), options);
+    const Sheet sheet = sheet_of(cube_of100(), options);
     EXPECT_EQ(sheet.title, "A B ");
-    EXPECT_NE(joined(textsOf(sheet), "|").find("A B "), std::string::npos);
-    EXPECT_NE(joined(textsOf(sheet), "|").find("cube  .ply"), std::string::npos);
+    EXPECT_NE(joined(texts_of(sheet), "|").find("A B "), std::string::npos);
+    EXPECT_NE(joined(texts_of(sheet), "|").find("cube  .ply"), std::string::npos);
 }
 
 TEST(MeasuredDrawing, TellsSmallSizes) {
-    SheetOptions options = plainViews("front");
+    SheetOptions options = plain_views("front");
     options.scale = 1000;
-    const Sheet sheet = sheetOf(test_meshes::moved(cubeOf100(), {0, 0, 0}, 1.2345e-5), options);
-    EXPECT_NE(joined(textsOf(sheet), "|").find("1.23 × 1.23 × 1.23 µm"), std::string::npos)
-        << joined(textsOf(sheet), "|");
+    const Sheet sheet = sheet_of(test_meshes::moved(cube_of100(), {0, 0, 0}, 1.2345e-5), options);
+    EXPECT_NE(joined(texts_of(sheet), "|").find("1.23 × 1.23 × 1.23 µm"), std::string::npos)
+        << joined(texts_of(sheet), "|");
 }
 
 TEST(MeasuredDrawing, UnitsAndScalesMultiply) {
-    SheetOptions options = plainViews("front");
+    SheetOptions options = plain_views("front");
     options.scale = 0.05;
     options.mm_per_unit = 10;
-    const QRectF extent = extentOf(sheetOf(cubeOf100(), options).groups[0]);
+    const QRectF extent = extent_of(sheet_of(cube_of100(), options).groups[0]);
     EXPECT_NEAR(extent.width(), 50, 0.02);
 }
 
@@ -82,24 +82,24 @@ TEST(MeasuredDrawing, ALightTurnsWithTheView) {
     gentle.kernel_size = 0.135;
     const auto field = laplacian_lines::precompute(mesh, gentle);
     const auto svg = [&](const char* views, std::optional<Eigen::Vector3d> light) {
-        SheetOptions options = plainViews(views);
+        SheetOptions options = plain_views(views);
         options.mm_per_unit = 40;
         options.light = light;
-        return writeSheet(line_drawing::makeSheet(mesh, field, options), ".svg");
+        return write_sheet(line_drawing::make_sheet(mesh, field, options), ".svg");
     };
     EXPECT_EQ(svg("top", Eigen::Vector3d(0, 0, 2)), svg("top", {}));
     EXPECT_NE(svg("top", Eigen::Vector3d(-1, 1, 1)), svg("top", {}));
 }
 
 TEST(MeasuredDrawing, OutlinesOfASphereAreClosedCircles) {
-    SheetOptions options = plainViews("front,30,40");
+    SheetOptions options = plain_views("front,30,40");
     options.mm_per_unit = 40;
-    const Sheet sheet = sheetOf(test_meshes::sphere(5).mesh, options);
+    const Sheet sheet = sheet_of(test_meshes::sphere(5).mesh, options);
     for (std::size_t view = 0; view < 2; ++view) {
         const SheetLayer& outlines = sheet.groups[view].layers.back();
         ASSERT_EQ(outlines.key, "outline");
         ASSERT_EQ(outlines.paths.size(), 1u);
-        const QPainterPath path = painterPath(outlines.paths[0].path);
+        const QPainterPath path = painter_path(outlines.paths[0].path);
         EXPECT_EQ(QPointF(path.elementAt(0)), path.currentPosition());
         EXPECT_NEAR(path.boundingRect().width(), 80, 0.1);
         EXPECT_LE(path.elementCount(), 3 * 16 + 1);
@@ -107,15 +107,15 @@ TEST(MeasuredDrawing, OutlinesOfASphereAreClosedCircles) {
 }
 
 TEST(MeasuredDrawing, HiddenEdgesAreDashedIfWanted) {
-    SheetOptions options = plainViews("30,30");
+    SheetOptions options = plain_views("30,30");
     for (const bool wanted : {false, true}) {
         options.hidden = wanted ? HiddenLines::Dashed : HiddenLines::LeftOut;
-        const Sheet sheet = sheetOf(cubeOf100(), options);
+        const Sheet sheet = sheet_of(cube_of100(), options);
         const SheetLayer& hidden = sheet.groups[0].layers.front();
         ASSERT_EQ(hidden.key, "hidden");
         double length = 0;
         for (const SheetPath& path : hidden.paths) {
-            length += painterPath(path.path).length();
+            length += painter_path(path.path).length();
             EXPECT_GT(path.dash, 0);
             EXPECT_EQ(path.pen_width, options.pens[std::size_t(LineClass::Hidden)]);
         }
@@ -127,13 +127,13 @@ TEST(MeasuredDrawing, HiddenEdgesAreDashedIfWanted) {
 }
 
 TEST(MeasuredDrawing, RefusesWhatCannotBeDrawn) {
-    const auto mesh = cubeOf100();
+    const auto mesh = cube_of100();
     const auto refused = [&](const auto& change) {
-        SheetOptions options = plainViews("front");
+        SheetOptions options = plain_views("front");
         change(options);
-        EXPECT_THROW(sheetOf(mesh, options), laplacian_lines::Error);
+        EXPECT_THROW(sheet_of(mesh, options), laplacian_lines::Error);
     };
-    EXPECT_THROW(makeSheets({}, {plainViews("front")}), laplacian_lines::Error);
+    EXPECT_THROW(make_sheets({}, {plain_views("front")}), laplacian_lines::Error);
     refused([](SheetOptions& o) { o.views.clear(); });
     refused([](SheetOptions& o) { o.mm_per_unit = 0; });
     refused([](SheetOptions& o) { o.mm_per_unit = std::nan(""); });
@@ -144,45 +144,45 @@ TEST(MeasuredDrawing, RefusesWhatCannotBeDrawn) {
 }
 
 TEST(MeasuredDrawing, CanBeCancelled) {
-    const auto mesh = cubeOf100();
+    const auto mesh = cube_of100();
     const auto field = laplacian_lines::precompute(mesh);
-    EXPECT_THROW(makeSheet(mesh, field, plainViews("six"),
-                           [](double done, const char*) { return done < 0.6; }),
+    EXPECT_THROW(make_sheet(mesh, field, plain_views("six"),
+                            [](double done, const char*) { return done < 0.6; }),
                  laplacian_lines::Error);
 }
 
-ContactEntry entryOf(const laplacian_lines::TriangleMesh& mesh, const char* name) {
+ContactEntry entry_of(const laplacian_lines::TriangleMesh& mesh, const char* name) {
     SheetOptions options;
-    options.views = parseViews("front,left", UpAxis::Z);
-    return {name, sheetOf(mesh, contactOptions(mesh, options))};
+    options.views = parse_views("front,left", UpAxis::Z);
+    return {name, sheet_of(mesh, contact_options(mesh, options))};
 }
 
 std::vector<ContactEntry> cubes(int count) {
-    return std::vector<ContactEntry>(std::size_t(count), entryOf(cubeOf100(), "a cube"));
+    return std::vector<ContactEntry>(std::size_t(count), entry_of(cube_of100(), "a cube"));
 }
 
 TEST(ContactSheets, HoldAllViewsWithoutOverlapOnOnePage) {
     for (const int count : {1, 2, 6, 13, 40, 200}) {
-        const Sheet sheet = makeContactSheet(cubes(count), "Cubes");
+        const Sheet sheet = make_contact_sheet(cubes(count), "Cubes");
         ASSERT_EQ(sheet.groups.size(), std::size_t(count) + 1);
-        const QRectF page = made_sheets::paperOf(sheet.size);
+        const QRectF page = made_sheets::paper_of(sheet.size);
         for (int i = 0; i < count; ++i) {
-            const QRectF place = extentOf(sheet.groups[std::size_t(i)]);
+            const QRectF place = extent_of(sheet.groups[std::size_t(i)]);
             EXPECT_GT(place.width(), 30) << count;
             EXPECT_NEAR(place.width(), place.height(), 0.2);
             EXPECT_TRUE(page.contains(place));
             EXPECT_EQ(sheet.groups[std::size_t(i)].layers.back().texts[0].text, "a cube");
             for (int k = 0; k < i; ++k)
-                EXPECT_FALSE(place.intersects(extentOf(sheet.groups[std::size_t(k)])));
+                EXPECT_FALSE(place.intersects(extent_of(sheet.groups[std::size_t(k)])));
         }
     }
-    EXPECT_TRUE(makeContactSheet({}, "").groups.empty());
+    EXPECT_TRUE(make_contact_sheet({}, "").groups.empty());
 }
 
 TEST(ContactSheets, TellSizes) {
-    const ContactEntry entry = entryOf(cubeOf100(), "cube");
+    const ContactEntry entry = entry_of(cube_of100(), "cube");
     EXPECT_EQ(entry.view.groups.size(), 1u);  // one view, no furniture
-    EXPECT_EQ(makeContactSheet({entry}, "").groups[0].layers.back().texts[1].text,
+    EXPECT_EQ(make_contact_sheet({entry}, "").groups[0].layers.back().texts[1].text,
               "100.0 × 100.0 × 100.0 mm");
 }
 

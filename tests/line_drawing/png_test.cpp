@@ -12,13 +12,13 @@ using Points = std::vector<Path::Point>;
 
 namespace {
 
-constexpr double pi = 3.14159265358979;
+constexpr double kPi = 3.14159265358979;
 
-Path pathOf(const Points& points, bool is_closed) {
+Path path_of(const Points& points, bool is_closed) {
     Path path;
     path.fill_rule = FillRule::NonZero;
     for (const Path::Point& p : points)
-        &p == points.data() ? path.moveTo(p) : path.lineTo(p);
+        &p == points.data() ? path.move_to(p) : path.line_to(p);
     if (is_closed) path.close();
     return path;
 }
@@ -28,17 +28,17 @@ Points rectangle(double left, double top, double right, double bottom) {
 }
 
 /// 10 x 8 pixels of a millimetre.
-QImage pictureOf(const std::vector<SheetPath>& paths) {
+QImage picture_of(const std::vector<SheetPath>& paths) {
     const Sheet sheet{{10, 8}, "", {{"a", "A", {{"outline", "Outlines", paths, {}}}}}, 1};
-    return QImage::fromData(QByteArray::fromStdString(writeSheet(sheet, ".png", 25.4)));
+    return QImage::fromData(QByteArray::fromStdString(write_sheet(sheet, ".png", 25.4)));
 }
 
 QImage filled(const Points& points, double tone = 0) {
-    return pictureOf({{pathOf(points, true), 0, 0, tone}});
+    return picture_of({{path_of(points, true), 0, 0, tone}});
 }
 
 QImage stroked(const Points& line, double width, double dash = 0) {
-    return pictureOf({{pathOf(line, false), width, dash}});
+    return picture_of({{path_of(line, false), width, dash}});
 }
 
 int gray(const QImage& image, int x, int y) {
@@ -67,10 +67,10 @@ TEST(PngFiles, HavePixelsAsDarkAsTheyAreCovered) {
 
 TEST(PngFiles, FollowTheRuleOfWhatIsInside) {
     for (const FillRule rule : {FillRule::NonZero, FillRule::EvenOdd}) {
-        Path nested = pathOf(rectangle(1, 1, 7, 7), true);
-        nested.addRectangle({2, 2}, 3, 3);
+        Path nested = path_of(rectangle(1, 1, 7, 7), true);
+        nested.add_rectangle({2, 2}, 3, 3);
         nested.fill_rule = rule;
-        EXPECT_DOUBLE_EQ(ink(pictureOf({{nested}})), rule == FillRule::NonZero ? 36 : 27);
+        EXPECT_DOUBLE_EQ(ink(picture_of({{nested}})), rule == FillRule::NonZero ? 36 : 27);
     }
 }
 
@@ -83,13 +83,13 @@ TEST(PngFiles, CutOffWhatIsOutside) {
 }
 
 TEST(PngFiles, HavePensWithRoundEndsAndJoins) {
-    EXPECT_NEAR(ink(stroked({{3, 4}, {7, 4}}, 4)), 16 + pi * 4, 0.15);
-    EXPECT_NEAR(ink(stroked({{3, 3}, {7, 3}, {7, 6}}, 2)), 14 - 1 + pi * 1.25, 0.15);
-    EXPECT_NEAR(ink(stroked({{3, 4}, {7, 4}, {3, 4}}, 4)), 16 + pi * 4, 0.15);  // there and back
+    EXPECT_NEAR(ink(stroked({{3, 4}, {7, 4}}, 4)), 16 + kPi * 4, 0.15);
+    EXPECT_NEAR(ink(stroked({{3, 3}, {7, 3}, {7, 6}}, 2)), 14 - 1 + kPi * 1.25, 0.15);
+    EXPECT_NEAR(ink(stroked({{3, 4}, {7, 4}, {3, 4}}, 4)), 16 + kPi * 4, 0.15);  // there and back
     for (int degrees = 0; degrees < 360; degrees += 35) {
         const Path::Point middle(5, 4),
-            way(2 * std::cos(degrees * pi / 180), 2 * std::sin(degrees * pi / 180));
-        EXPECT_NEAR(ink(stroked({middle - way, middle + way}, 0.5)), 4 * 0.5 + pi * 0.0625, 0.08);
+            way(2 * std::cos(degrees * kPi / 180), 2 * std::sin(degrees * kPi / 180));
+        EXPECT_NEAR(ink(stroked({middle - way, middle + way}, 0.5)), 4 * 0.5 + kPi * 0.0625, 0.08);
     }
 }
 

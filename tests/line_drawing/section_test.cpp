@@ -9,48 +9,48 @@
 
 using namespace line_drawing;
 using laplacian_lines::TriangleMesh;
-using made_sheets::cubeOf100;
-using made_sheets::layerOf;
-using made_sheets::painterPath;
-using made_sheets::sheetOf;
+using made_sheets::cube_of100;
+using made_sheets::layer_of;
+using made_sheets::painter_path;
+using made_sheets::sheet_of;
 using test_meshes::moved;
 
 namespace {
 
-SheetOptions withSections(const char* views, const char* sections) {
-    SheetOptions options = made_sheets::plainViews(*views ? views : "front");
+SheetOptions with_sections(const char* views, const char* sections) {
+    SheetOptions options = made_sheets::plain_views(*views ? views : "front");
     if (!*views) options.views.clear();
-    options.sections = parseSections(sections);
+    options.sections = parse_sections(sections);
     options.up = UpAxis::Z;
     return options;
 }
 
 /// The section alone, at 1:1, without hatching.
-SheetGroup sectionOf(const TriangleMesh& mesh, const char* section) {
-    SheetOptions options = withSections("", section);
+SheetGroup section_of(const TriangleMesh& mesh, const char* section) {
+    SheetOptions options = with_sections("", section);
     options.wall = WallStyle::None;
-    return sheetOf(mesh, options).groups.at(0);
+    return sheet_of(mesh, options).groups.at(0);
 }
 
-int openPathsOf(const SheetGroup& section) {
+int open_paths_of(const SheetGroup& section) {
     int count = 0;
-    for (const SheetPath& path : layerOf(section, "section").paths)
+    for (const SheetPath& path : layer_of(section, "section").paths)
         count += path.path.pieces.front().end != path.path.pieces.back().end;
     return count;
 }
 
 /// The area that is drawn and the number of hatching lines.
-std::pair<double, std::size_t> wallOf(const TriangleMesh& mesh, const char* section,
-                                      WallStyle wall) {
-    SheetOptions options = withSections("", section);
+std::pair<double, std::size_t> wall_of(const TriangleMesh& mesh, const char* section,
+                                       WallStyle wall) {
+    SheetOptions options = with_sections("", section);
     options.wall = wall;
-    const SheetGroup group = sheetOf(mesh, options).groups.at(0);
+    const SheetGroup group = sheet_of(mesh, options).groups.at(0);
     double area = 0;
     std::size_t hatching = 0;
     for (const SheetLayer& layer : group.layers)
         for (const SheetPath& path : layer.paths) {
             hatching += layer.key == "fine";
-            if (path.pen_width == 0) area += made_sheets::areaOf(path);
+            if (path.pen_width == 0) area += made_sheets::area_of(path);
         }
     return {area, hatching};
 }
@@ -58,17 +58,17 @@ std::pair<double, std::size_t> wallOf(const TriangleMesh& mesh, const char* sect
 TEST(Sections, OfASphereAreCircles) {
     const TriangleMesh ball = moved(test_meshes::sphere(5).mesh, {3, 4, 5}, 40);
     for (const char* section : {"x=0.8", "y=0.8", "z=0.8"}) {
-        const SheetGroup group = sectionOf(ball, section);
-        EXPECT_EQ(layerOf(group, "section").paths.size(), 1u);
-        EXPECT_EQ(openPathsOf(group), 0);
-        EXPECT_NEAR(made_sheets::lengthOf(layerOf(group, "section")), 2 * M_PI * 0.8 * 40, 0.5);
+        const SheetGroup group = section_of(ball, section);
+        EXPECT_EQ(layer_of(group, "section").paths.size(), 1u);
+        EXPECT_EQ(open_paths_of(group), 0);
+        EXPECT_NEAR(made_sheets::length_of(layer_of(group, "section")), 2 * M_PI * 0.8 * 40, 0.5);
     }
 }
 
 TEST(Sections, HaveTheAreaOfTheWall) {
     const TriangleMesh torus = moved(test_meshes::torus(180, 90).mesh, {0, 0, 0}, 30);
-    const auto [area, hatching] = wallOf(torus, "z=0.5", WallStyle::Filled);
-    EXPECT_EQ(layerOf(sectionOf(torus, "z=0.5"), "section").paths.size(), 2u);
+    const auto [area, hatching] = wall_of(torus, "z=0.5", WallStyle::Filled);
+    EXPECT_EQ(layer_of(section_of(torus, "z=0.5"), "section").paths.size(), 2u);
     EXPECT_NEAR(area, M_PI * (42 * 42 - 18 * 18), 0.01 * area);
     EXPECT_EQ(hatching, 0u);
 }
@@ -76,66 +76,66 @@ TEST(Sections, HaveTheAreaOfTheWall) {
 TEST(Sections, OfASoupAreTheSame) {
     const TriangleMesh mesh = moved(test_meshes::bumpy_sphere(4).mesh, {0, 0, 0}, 50);
     const auto draw = [](const TriangleMesh& drawn) {
-        return writeSheet(sheetOf(drawn, withSections("", "y=0.4")), ".svg");
+        return write_sheet(sheet_of(drawn, with_sections("", "y=0.4")), ".svg");
     };
     EXPECT_EQ(draw(test_meshes::cut_apart(mesh)), draw(mesh));
 }
 
 TEST(Sections, ThroughVerticesAreClosedToo) {
-    const SheetGroup group = sectionOf(cubeOf100(), "z=0.5");
-    EXPECT_EQ(openPathsOf(group), 0);
-    EXPECT_NEAR(made_sheets::lengthOf(layerOf(group, "section")), 400, 1e-3);
+    const SheetGroup group = section_of(cube_of100(), "z=0.5");
+    EXPECT_EQ(open_paths_of(group), 0);
+    EXPECT_NEAR(made_sheets::length_of(layer_of(group, "section")), 400, 1e-3);
 }
 
 TEST(Sections, OfOpenSurfacesAreOpen) {
     const TriangleMesh half = moved(test_meshes::half_torus(60, 30).mesh, {0, 0, 0}, 30);
-    EXPECT_EQ(openPathsOf(sectionOf(half, "z=0.51")), 2);
+    EXPECT_EQ(open_paths_of(section_of(half, "z=0.51")), 2);
 }
 
 TEST(Sections, AreRead) {
-    const std::vector<Section> sections = parseSections("y=0.5, Z=.25");
+    const std::vector<Section> sections = parse_sections("y=0.5, Z=.25");
     ASSERT_EQ(sections.size(), 2u);
     EXPECT_EQ(sections[0].axis, 1);
     EXPECT_EQ(sections[1].share, 0.25);
-    EXPECT_TRUE(parseSections("").empty());
+    EXPECT_TRUE(parse_sections("").empty());
     for (const char* words : {"y", "0.5", "w=0.5", "y=0", "y=1", "y=nan", "y=0.5=1"})
-        EXPECT_THROW(parseSections(words), laplacian_lines::Error) << words;
+        EXPECT_THROW(parse_sections(words), laplacian_lines::Error) << words;
     for (const UpAxis up : {UpAxis::X, UpAxis::Y, UpAxis::Z})
         for (int axis = 0; axis < 3; ++axis)
-            EXPECT_EQ(std::abs(frameOfSection({axis, 0.5}, up).towards_viewer[axis]), 1);
+            EXPECT_EQ(std::abs(frame_of_section({axis, 0.5}, up).towards_viewer[axis]), 1);
 }
 
 TEST(Walls, AreHatchedFilledOrEmpty) {
-    EXPECT_EQ(wallOf(cubeOf100(), "x=0.5", WallStyle::None), std::pair(0., std::size_t(0)));
-    const auto [no_area, hatching] = wallOf(cubeOf100(), "x=0.5", WallStyle::Hatched);
+    EXPECT_EQ(wall_of(cube_of100(), "x=0.5", WallStyle::None), std::pair(0., std::size_t(0)));
+    const auto [no_area, hatching] = wall_of(cube_of100(), "x=0.5", WallStyle::Hatched);
     EXPECT_EQ(no_area, 0);
     EXPECT_GT(hatching, 50u);
-    const auto [area, none] = wallOf(cubeOf100(), "x=0.5", WallStyle::Filled);
+    const auto [area, none] = wall_of(cube_of100(), "x=0.5", WallStyle::Filled);
     EXPECT_NEAR(area, 10000, 1);
     EXPECT_EQ(none, 0u);
 }
 
 /// Of a view, without its marks.
-QRectF surfaceOf(SheetGroup view) {
+QRectF surface_of(SheetGroup view) {
     if (view.layers.back().key == "marks") view.layers.pop_back();
-    return made_sheets::extentOf(view);
+    return made_sheets::extent_of(view);
 }
 
 TEST(SectionMarks, StandWhereThePlaneIsBesideTheSurfaceAndOnThePaper) {
-    SheetOptions options = withSections("front,left,top", "x=0.3 y=0.5 z=0.6");
+    SheetOptions options = with_sections("front,left,top", "x=0.3 y=0.5 z=0.6");
     options.paper = "fit";
-    const Sheet sheet = sheetOf(cubeOf100(), options);
-    const QRectF paper = made_sheets::paperOf(sheet.size);
+    const Sheet sheet = sheet_of(cube_of100(), options);
+    const QRectF paper = made_sheets::paper_of(sheet.size);
     for (std::size_t view = 0; view < 3; ++view) {
-        const SheetLayer& marks = layerOf(sheet.groups[view], "marks");
+        const SheetLayer& marks = layer_of(sheet.groups[view], "marks");
         EXPECT_EQ(marks.texts.size(), 4u);
         EXPECT_EQ(marks.paths.size(), 12u);
-        const QRectF surface = surfaceOf(sheet.groups[view]);
+        const QRectF surface = surface_of(sheet.groups[view]);
         EXPECT_NEAR(surface.width(), 100, 0.1);
         int at_plane = 0;  // of the front: x = 0.3, or z = 0.6 from below
         for (const SheetPath& path : marks.paths) {
             const QRectF mark =
-                painterPath(path.path).boundingRect().adjusted(-0.25, -0.25, 0.25, 0.25);
+                painter_path(path.path).boundingRect().adjusted(-0.25, -0.25, 0.25, 0.25);
             EXPECT_FALSE(mark.intersects(surface));
             EXPECT_TRUE(paper.contains(mark));
             at_plane += std::abs(mark.center().x() - surface.left() - 30) < 0.1 ||
@@ -152,12 +152,12 @@ TEST(SectionMarks, StandWhereThePlaneIsBesideTheSurfaceAndOnThePaper) {
 }
 
 TEST(SectionMarks, GiveSectionsTheirNames) {
-    const Sheet marked = sheetOf(cubeOf100(), withSections("front", "x=0.3 z=0.6"));
+    const Sheet marked = sheet_of(cube_of100(), with_sections("front", "x=0.3 z=0.6"));
     EXPECT_EQ(marked.groups[1].name, "A–A");
     EXPECT_EQ(marked.groups[2].name, "B–B");
-    EXPECT_EQ(sectionOf(cubeOf100(), "x=0.3").name, "Section x = 30 %");
-    EXPECT_EQ(letterOf(25), "Z");
-    EXPECT_EQ(letterOf(53), "BB");
+    EXPECT_EQ(section_of(cube_of100(), "x=0.3").name, "Section x = 30 %");
+    EXPECT_EQ(letter_of(25), "Z");
+    EXPECT_EQ(letter_of(53), "BB");
 }
 
 }  // namespace

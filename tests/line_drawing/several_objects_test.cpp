@@ -9,11 +9,11 @@
 using namespace line_drawing;
 using Eigen::Vector3d;
 using laplacian_lines::TriangleMesh;
-using made_sheets::cubeOf100;
-using made_sheets::layerOf;
-using made_sheets::lengthOf;
-using made_sheets::painterPath;
-using made_sheets::plainViews;
+using made_sheets::cube_of100;
+using made_sheets::layer_of;
+using made_sheets::length_of;
+using made_sheets::painter_path;
+using made_sheets::plain_views;
 using test_meshes::moved;
 
 namespace {
@@ -27,52 +27,52 @@ TriangleMesh plate() {
 }
 
 /// Each with a field of its own.
-Sheet sheetOfAll(const std::vector<TriangleMesh>& meshes, const SheetOptions& options) {
+Sheet sheet_of_all(const std::vector<TriangleMesh>& meshes, const SheetOptions& options) {
     std::vector<laplacian_lines::Field> fields;
     for (const TriangleMesh& mesh : meshes)
         fields.push_back(laplacian_lines::precompute(mesh));
     Objects objects;
     for (std::size_t i = 0; i < meshes.size(); ++i)
         objects.push_back({meshes[i], &fields[i]});
-    return makeSheets(objects, {options}).front();
+    return make_sheets(objects, {options}).front();
 }
 
 /// 100 mm of both long sides of its border.
 TEST(SeveralObjects, ACubeHidesWhatIsBehindItOfAPlate) {
-    SheetOptions options = plainViews("top");
+    SheetOptions options = plain_views("top");
     options.hidden = HiddenLines::Dashed;
-    const SheetGroup view = sheetOfAll({cubeOf100(), plate()}, options).groups[0];
+    const SheetGroup view = sheet_of_all({cube_of100(), plate()}, options).groups[0];
     // The border is the plate's where it stands out on both sides, else the cube's.
-    EXPECT_NEAR(lengthOf(layerOf(view, "outline")), 2 * 160 + 2 * 100, 1);
-    EXPECT_NEAR(lengthOf(layerOf(view, "contour")), 2 * 40, 1);
-    EXPECT_NEAR(lengthOf(layerOf(view, "hidden")), 2 * 100, 1);
-    for (const SheetPath& path : layerOf(view, "hidden").paths)
-        EXPECT_NEAR(painterPath(path.path).boundingRect().width(), 100, 0.5);
-    options.views = parseViews("bottom", UpAxis::Z);  // now the plate is in front
-    const SheetGroup below = sheetOfAll({cubeOf100(), plate()}, options).groups[0];
-    EXPECT_NEAR(lengthOf(layerOf(below, "outline")), 2 * 160 + 2 * 100, 1);
-    EXPECT_NEAR(lengthOf(layerOf(below, "contour")), 2 * 100, 1);
+    EXPECT_NEAR(length_of(layer_of(view, "outline")), 2 * 160 + 2 * 100, 1);
+    EXPECT_NEAR(length_of(layer_of(view, "contour")), 2 * 40, 1);
+    EXPECT_NEAR(length_of(layer_of(view, "hidden")), 2 * 100, 1);
+    for (const SheetPath& path : layer_of(view, "hidden").paths)
+        EXPECT_NEAR(painter_path(path.path).boundingRect().width(), 100, 0.5);
+    options.views = parse_views("bottom", UpAxis::Z);  // now the plate is in front
+    const SheetGroup below = sheet_of_all({cube_of100(), plate()}, options).groups[0];
+    EXPECT_NEAR(length_of(layer_of(below, "outline")), 2 * 160 + 2 * 100, 1);
+    EXPECT_NEAR(length_of(layer_of(below, "contour")), 2 * 100, 1);
 }
 
 TEST(SeveralObjects, HaveCommonBoundsAndOneScale) {
-    const TriangleMesh cube = cubeOf100();
-    SheetOptions options = plainViews("front,left", "a4");
+    const TriangleMesh cube = cube_of100();
+    SheetOptions options = plain_views("front,left", "a4");
     options.scale = 0;
-    const Sheet sheet = sheetOfAll({cube, moved(cube, {260, 0, 0})}, options);
+    const Sheet sheet = sheet_of_all({cube, moved(cube, {260, 0, 0})}, options);
     EXPECT_EQ(sheet.scale, 0.5);
-    const QRectF front = made_sheets::extentOf(sheet.groups[0]),
-                 left = made_sheets::extentOf(sheet.groups[1]);
+    const QRectF front = made_sheets::extent_of(sheet.groups[0]),
+                 left = made_sheets::extent_of(sheet.groups[1]);
     EXPECT_NEAR(front.width(), 360 * sheet.scale, 0.02);
     EXPECT_NEAR(left.width(), 100 * sheet.scale, 0.02);
     EXPECT_NEAR(front.top(), left.top(), 0.02);
 }
 
 /// Rising and falling lines.
-std::pair<int, int> hatchingOf(const SheetGroup& section) {
+std::pair<int, int> hatching_of(const SheetGroup& section) {
     int rising = 0, falling = 0;
-    for (const SheetPath& path : layerOf(section, "fine").paths) {
+    for (const SheetPath& path : layer_of(section, "fine").paths) {
         const QPointF way =
-            painterPath(path.path).pointAtPercent(1) - painterPath(path.path).pointAtPercent(0);
+            painter_path(path.path).pointAtPercent(1) - painter_path(path.path).pointAtPercent(0);
         (way.x() * way.y() < 0 ? rising : falling)++;
     }
     return {rising, falling};
@@ -80,42 +80,42 @@ std::pair<int, int> hatchingOf(const SheetGroup& section) {
 
 /// Touching cubes have two walls with different hatching.
 TEST(SeveralObjects, EachHasItsOwnWallInSections) {
-    SheetOptions options = plainViews("top");
-    options.sections = parseSections("z=0.3");
-    const TriangleMesh cube = cubeOf100();
-    const Sheet sheet = sheetOfAll({cube, moved(cube, {100, 0, 0})}, options);
-    EXPECT_EQ(layerOf(sheet.groups[1], "section").paths.size(), 2u);
-    const auto [rising, falling] = hatchingOf(sheet.groups[1]);
+    SheetOptions options = plain_views("top");
+    options.sections = parse_sections("z=0.3");
+    const TriangleMesh cube = cube_of100();
+    const Sheet sheet = sheet_of_all({cube, moved(cube, {100, 0, 0})}, options);
+    EXPECT_EQ(layer_of(sheet.groups[1], "section").paths.size(), 2u);
+    const auto [rising, falling] = hatching_of(sheet.groups[1]);
     EXPECT_GT(rising, 80);
     EXPECT_NEAR(rising, falling, 3);
     options.wall = WallStyle::Filled;
-    const Sheet filled = sheetOfAll({cube, moved(cube, {100, 0, 0})}, options);
+    const Sheet filled = sheet_of_all({cube, moved(cube, {100, 0, 0})}, options);
     int areas = 0;
-    for (const SheetPath& path : layerOf(filled.groups[1], "section").paths)
+    for (const SheetPath& path : layer_of(filled.groups[1], "section").paths)
         areas += path.pen_width == 0;
     EXPECT_EQ(areas, 2);
 }
 
 /// Overlapping cubes are one body with one hatching.
 TEST(SeveralObjects, ThatOverlapHaveOneWallInSections) {
-    SheetOptions options = plainViews("top");
+    SheetOptions options = plain_views("top");
     options.views.clear();
-    options.sections = parseSections("z=0.3");
-    const TriangleMesh cube = cubeOf100();
+    options.sections = parse_sections("z=0.3");
+    const TriangleMesh cube = cube_of100();
     const TriangleMesh other = moved(cube, {50, 20, 0}), inner = moved(cube, {20, 20, 0}, 0.2);
-    const SheetGroup merged = sheetOfAll({cube, other, inner}, options).groups[0];
+    const SheetGroup merged = sheet_of_all({cube, other, inner}, options).groups[0];
     // Two squares of 100 mm, less 50 and 80 of each within the other.
-    EXPECT_NEAR(lengthOf(layerOf(merged, "section")), 2 * 400 - 2 * (50 + 80), 0.1);
-    EXPECT_NEAR(lengthOf(layerOf(merged, "fine")) * 1.5, 2 * 100 * 100 - 50 * 80, 200);
-    EXPECT_EQ(hatchingOf(merged).second, 0);
+    EXPECT_NEAR(length_of(layer_of(merged, "section")), 2 * 400 - 2 * (50 + 80), 0.1);
+    EXPECT_NEAR(length_of(layer_of(merged, "fine")) * 1.5, 2 * 100 * 100 - 50 * 80, 200);
+    EXPECT_EQ(hatching_of(merged).second, 0);
     // Scans of fitting parts overlap slightly.
-    const SheetGroup fitted = sheetOfAll({cube, moved(cube, {99.5, 0, 0})}, options).groups[0];
-    EXPECT_NEAR(hatchingOf(fitted).first, hatchingOf(fitted).second, 3);
+    const SheetGroup fitted = sheet_of_all({cube, moved(cube, {99.5, 0, 0})}, options).groups[0];
+    EXPECT_NEAR(hatching_of(fitted).first, hatching_of(fitted).second, 3);
 }
 
 /// Also hidden parts, and without a hole.
 TEST(SeveralObjects, EachHasItsOwnAreaIfWanted) {
-    SheetOptions options = plainViews("top");
+    SheetOptions options = plain_views("top");
     options.area = OutlineArea::Objects;
     TriangleMesh frame;
     for (const double half : {80.0, 60.0})
@@ -126,23 +126,23 @@ TEST(SeveralObjects, EachHasItsOwnAreaIfWanted) {
         frame.triangles.push_back({i, next, i + 4});
         frame.triangles.push_back({next, next + 4, i + 4});
     }
-    const Sheet sheet = sheetOfAll({moved(cubeOf100(), {70, 0, 0}), frame}, options);
-    const SheetLayer& layer = layerOf(sheet.groups[0], "area");
+    const Sheet sheet = sheet_of_all({moved(cube_of100(), {70, 0, 0}), frame}, options);
+    const SheetLayer& layer = layer_of(sheet.groups[0], "area");
     ASSERT_EQ(layer.paths.size(), 2u);
-    EXPECT_NEAR(made_sheets::areaOf(layer.paths[0]), 100 * 100, 1e-6);
-    EXPECT_NEAR(made_sheets::areaOf(layer.paths[1]), 160 * 160 - 120 * 120, 1e-6);
+    EXPECT_NEAR(made_sheets::area_of(layer.paths[0]), 100 * 100, 1e-6);
+    EXPECT_NEAR(made_sheets::area_of(layer.paths[1]), 160 * 160 - 120 * 120, 1e-6);
     EXPECT_EQ(layer.paths[0].path.pieces.size(), 5u);  // four corners, and back
     EXPECT_EQ(layer.paths[1].path.pieces.size(), 10u);
     options.area = OutlineArea::Filled;
-    const Sheet together = sheetOfAll({moved(cubeOf100(), {70, 0, 0}), frame}, options);
-    ASSERT_EQ(layerOf(together.groups[0], "area").paths.size(), 1u);
+    const Sheet together = sheet_of_all({moved(cube_of100(), {70, 0, 0}), frame}, options);
+    ASSERT_EQ(layer_of(together.groups[0], "area").paths.size(), 1u);
 }
 
 TEST(SeveralObjects, AreTheSameOnAnyNumberOfThreads) {
     const auto bumpy = moved(test_meshes::bumpy_sphere(4).mesh, {30, 0, -200}, 60);
     const auto draw = [&](int threads) {
         const test_meshes::WithThreads scope(threads);
-        return writeSheet(sheetOfAll({cubeOf100(), bumpy}, plainViews("six,30,20")), ".svg");
+        return write_sheet(sheet_of_all({cube_of100(), bumpy}, plain_views("six,30,20")), ".svg");
     };
     EXPECT_EQ(draw(1), draw(3));
 }

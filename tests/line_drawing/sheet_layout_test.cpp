@@ -9,8 +9,8 @@
 
 using namespace line_drawing;
 using laplacian_lines::TriangleMesh;
-using made_sheets::extentOf;
-using made_sheets::plainViews;
+using made_sheets::extent_of;
+using made_sheets::plain_views;
 
 namespace {
 
@@ -23,22 +23,22 @@ TriangleMesh box() {
 }
 
 SheetOptions fitting(const char* views, const char* paper = "a4") {
-    SheetOptions options = plainViews(views, paper);
+    SheetOptions options = plain_views(views, paper);
     options.scale = 0;
     return options;
 }
 
-Sheet sheetOf(const SheetOptions& options) {
-    return made_sheets::sheetOf(box(), options);
+Sheet sheet_of(const SheetOptions& options) {
+    return made_sheets::sheet_of(box(), options);
 }
 
 /// Of the views on the sheet.
-std::vector<QRectF> placesOf(const SheetOptions& options) {
-    const Sheet sheet = sheetOf(options);
+std::vector<QRectF> places_of(const SheetOptions& options) {
+    const Sheet sheet = sheet_of(options);
     std::vector<QRectF> places;
     for (const SheetGroup& group : sheet.groups)
-        if (group.key != "sheet") places.push_back(extentOf(group));
-    const QRectF paper = made_sheets::paperOf(sheet.size);
+        if (group.key != "sheet") places.push_back(extent_of(group));
+    const QRectF paper = made_sheets::paper_of(sheet.size);
     for (std::size_t i = 0; i < places.size(); ++i) {
         EXPECT_TRUE(paper.contains(places[i])) << i;
         for (std::size_t k = 0; k < i; ++k)
@@ -48,7 +48,7 @@ std::vector<QRectF> placesOf(const SheetOptions& options) {
 }
 
 TEST(SheetLayout, AlignsTheViewsInFirstAngle) {
-    const auto at = placesOf(fitting("six"));  // front, back, left, right, top, bottom
+    const auto at = places_of(fitting("six"));  // front, back, left, right, top, bottom
     for (const std::size_t beside : {1, 2, 3})
         EXPECT_NEAR(at[beside].top(), at[0].top(), 0.02);
     for (const std::size_t above : {4, 5})
@@ -62,7 +62,7 @@ TEST(SheetLayout, AlignsTheViewsInFirstAngle) {
 TEST(SheetLayout, TurnsTheArrangementInThirdAngle) {
     SheetOptions options = fitting("front,left,top,back");
     options.arrangement = Arrangement::ThirdAngle;
-    const auto at = placesOf(options);
+    const auto at = places_of(options);
     EXPECT_LT(at[1].right(), at[0].left());
     EXPECT_LT(at[2].bottom(), at[0].top());
     EXPECT_GT(at[3].left(), at[0].right());
@@ -70,74 +70,74 @@ TEST(SheetLayout, TurnsTheArrangementInThirdAngle) {
 
 /// Thirty sections in one row would not fit at any scale.
 TEST(SheetLayout, ManyViewsStandInRows) {
-    placesOf(fitting("six 30,15 60,15 90,40 0,10 45,45"));
+    places_of(fitting("six 30,15 60,15 90,40 0,10 45,45"));
     for (const char* views : {"front", "front,top"}) {
         SheetOptions options = fitting(views);
         options.sections.resize(30);
-        EXPECT_EQ(placesOf(options).size(), options.views.size() + 30);
-        EXPECT_GE(sheetOf(options).scale, 0.2);
+        EXPECT_EQ(places_of(options).size(), options.views.size() + 30);
+        EXPECT_GE(sheet_of(options).scale, 0.2);
     }
 }
 
 TEST(SheetLayout, TakesTheLargestUsualScaleThatFits) {
-    EXPECT_EQ(sheetOf(fitting("front")).scale, 4);  // 240 mm on lying A4
-    EXPECT_EQ(sheetOf(fitting("front", "a5")).scale, 2);
-    for (const char* name : paperNames())
-        EXPECT_GT(sheetOf(fitting("front", name)).size.x(), 100) << name;
+    EXPECT_EQ(sheet_of(fitting("front")).scale, 4);  // 240 mm on lying A4
+    EXPECT_EQ(sheet_of(fitting("front", "a5")).scale, 2);
+    for (const char* name : paper_names())
+        EXPECT_GT(sheet_of(fitting("front", name)).size.x(), 100) << name;
 }
 
 TEST(SheetLayout, PaperCanBeAsLargeAsTheDrawing) {
     SheetOptions options = fitting("front", "fit");
     options.scale = 10;
-    EXPECT_NEAR(sheetOf(options).size.x(), 600, 50);
-    EXPECT_GT(sheetOf(options).size.x(), 600);
+    EXPECT_NEAR(sheet_of(options).size.x(), 600, 50);
+    EXPECT_GT(sheet_of(options).size.x(), 600);
 }
 
 TEST(SheetLayout, ScalesHaveNames) {
-    EXPECT_EQ(parseScale("1:2"), 0.5);
-    EXPECT_EQ(parseScale("5:2"), 2.5);
-    EXPECT_EQ(parseScale("fit"), 0);
-    EXPECT_EQ(scaleInWords(0.5), "1:2");
-    EXPECT_EQ(scaleInWords(20), "20:1");
+    EXPECT_EQ(parse_scale("1:2"), 0.5);
+    EXPECT_EQ(parse_scale("5:2"), 2.5);
+    EXPECT_EQ(parse_scale("fit"), 0);
+    EXPECT_EQ(scale_in_words(0.5), "1:2");
+    EXPECT_EQ(scale_in_words(20), "20:1");
     for (const char* word :
          {"", "2", "1:0", "-1:2", "1:2:3", "a:b", "nan:1", "1:inf", "1:1e308", "1e308:1"})
-        EXPECT_THROW(parseScale(word), laplacian_lines::Error) << word;
+        EXPECT_THROW(parse_scale(word), laplacian_lines::Error) << word;
 }
 
 TEST(SheetFurniture, LongTitlesAreWhole) {
-    SheetOptions options = plainViews("front", "a4");
+    SheetOptions options = plain_views("front", "a4");
     for (int i = 0; i < 30; ++i)
         options.title += (i ? " word" : "word") + std::to_string(i);
     const auto title_of = [&] {
-        const Sheet sheet = sheetOf(options);
+        const Sheet sheet = sheet_of(options);
         Words lines;
-        for (const SheetText& text : made_sheets::layerOf(sheet.groups.back(), "title").texts)
+        for (const SheetText& text : made_sheets::layer_of(sheet.groups.back(), "title").texts)
             if (text.text.find("word") != text.text.npos) lines.insert(lines.begin(), text.text);
         return joined(lines, " ");
     };
     EXPECT_EQ(title_of(), options.title);
     options.title += options.title + options.title + options.title;
-    EXPECT_TRUE(endsWith(title_of(), "…"));
+    EXPECT_TRUE(ends_with(title_of(), "…"));
 }
 
 /// 100 mm wide, mean edges of about 1.3 mm.
-laplacian_lines::TriangleMesh bumpySphere() {
+laplacian_lines::TriangleMesh bumpy_sphere() {
     return test_meshes::moved(test_meshes::bumpy_sphere(6).mesh, {0, 0, 0}, 50);
 }
 
-SheetOptions optionsAt(double scale) {
-    SheetOptions options = made_sheets::plainViews("front");
+SheetOptions options_at(double scale) {
+    SheetOptions options = made_sheets::plain_views("front");
     options.scale = scale;
     return options;
 }
 
 Sheet draw(const laplacian_lines::TriangleMesh& mesh, const SheetOptions& options) {
-    return makeSheets({{mesh}}, {options}).front();
+    return make_sheets({{mesh}}, {options}).front();
 }
 
 /// mm on paper, from the sheet's note.
-double kernelOf(const Sheet& sheet) {
-    const std::string texts = joined(made_sheets::textsOf(sheet), "|");
+double kernel_of(const Sheet& sheet) {
+    const std::string texts = joined(made_sheets::texts_of(sheet), "|");
     const std::size_t at = texts.find("√h ");
     return at == texts.npos ? 0 : std::stod(texts.substr(at + 5));
 }
@@ -151,68 +151,68 @@ double thickest(const Sheet& sheet) {
 }
 
 TEST(PrintedSize, DecidesAboutTheKernel) {
-    const auto mesh = bumpySphere();
+    const auto mesh = bumpy_sphere();
     const double edge = laplacian_lines::measure_scale(mesh, {}).mean_edge;
-    EXPECT_NEAR(kernelOf(draw(mesh, optionsAt(0.4))), 1, 0.03);  // four pens of .25 mm
+    EXPECT_NEAR(kernel_of(draw(mesh, options_at(0.4))), 1, 0.03);  // four pens of .25 mm
     // At least 1.3 mean edges.
-    EXPECT_NEAR(kernelOf(draw(mesh, optionsAt(2))), 2 * 1.3 * edge, 0.05 * 2 * edge);
+    EXPECT_NEAR(kernel_of(draw(mesh, options_at(2))), 2 * 1.3 * edge, 0.05 * 2 * edge);
 }
 
 TEST(PrintedSize, AndDetailDecideAboutTheKernel) {
-    const auto mesh = bumpySphere();
-    const auto kernelAt = [&](double scale, double detail, const char* kernel = "auto") {
-        SheetOptions options = optionsAt(scale);
+    const auto mesh = bumpy_sphere();
+    const auto kernel_at = [&](double scale, double detail, const char* kernel = "auto") {
+        SheetOptions options = options_at(scale);
         options.style.detail = detail;
-        options.kernel = parseDetailSize(kernel);
-        return kernelOf(draw(mesh, options));
+        options.kernel = parse_detail_size(kernel);
+        return kernel_of(draw(mesh, options));
     };
-    EXPECT_NEAR(kernelAt(0.4, 0), 2, 0.06);
-    EXPECT_NEAR(kernelAt(0.4, 25), std::sqrt(2), 0.05);
-    EXPECT_NEAR(kernelAt(0.4, 75), std::sqrt(0.5), 0.02);
-    EXPECT_NEAR(kernelAt(2, 100), kernelAt(2, 50), 1e-9) << "finer than the mesh";
-    EXPECT_NEAR(kernelAt(0.4, 100, "2mm"), 2, 0.06) << "asked for";
+    EXPECT_NEAR(kernel_at(0.4, 0), 2, 0.06);
+    EXPECT_NEAR(kernel_at(0.4, 25), std::sqrt(2), 0.05);
+    EXPECT_NEAR(kernel_at(0.4, 75), std::sqrt(0.5), 0.02);
+    EXPECT_NEAR(kernel_at(2, 100), kernel_at(2, 50), 1e-9) << "finer than the mesh";
+    EXPECT_NEAR(kernel_at(0.4, 100, "2mm"), 2, 0.06) << "asked for";
 }
 
 TEST(PrintedSize, DecidesAboutPens) {
-    const auto mesh = made_sheets::cubeOf100();
-    EXPECT_EQ(thickest(draw(mesh, optionsAt(1))), 0.5);
-    EXPECT_EQ(thickest(draw(mesh, optionsAt(0.41))), 0.5);
-    EXPECT_EQ(thickest(draw(mesh, optionsAt(0.35))), 0.35);
-    EXPECT_EQ(thickest(draw(mesh, optionsAt(0.2))), 0.25);
-    EXPECT_EQ(thickest(draw(mesh, optionsAt(0.01))), 0.25);
-    for (const SheetLayer& layer : draw(mesh, optionsAt(0.1)).groups[0].layers)
+    const auto mesh = made_sheets::cube_of100();
+    EXPECT_EQ(thickest(draw(mesh, options_at(1))), 0.5);
+    EXPECT_EQ(thickest(draw(mesh, options_at(0.41))), 0.5);
+    EXPECT_EQ(thickest(draw(mesh, options_at(0.35))), 0.35);
+    EXPECT_EQ(thickest(draw(mesh, options_at(0.2))), 0.25);
+    EXPECT_EQ(thickest(draw(mesh, options_at(0.01))), 0.25);
+    for (const SheetLayer& layer : draw(mesh, options_at(0.1)).groups[0].layers)
         for (const SheetPath& path : layer.paths)
             EXPECT_GE(path.pen_width, 0.1);
 }
 
 TEST(PrintedSize, AGivenKernelIsUsedAsItIs) {
-    const auto mesh = bumpySphere();
-    SheetOptions options = optionsAt(0.5);
-    options.kernel = parseDetailSize("2.5mm");
-    EXPECT_NEAR(kernelOf(draw(mesh, options)), 2.5, 0.03);
-    options.kernel = parseDetailSize("2%");
+    const auto mesh = bumpy_sphere();
+    SheetOptions options = options_at(0.5);
+    options.kernel = parse_detail_size("2.5mm");
+    EXPECT_NEAR(kernel_of(draw(mesh, options)), 2.5, 0.03);
+    options.kernel = parse_detail_size("2%");
     const double diagonal = laplacian_lines::measure_scale(mesh, {}).diagonal;
-    EXPECT_NEAR(kernelOf(draw(mesh, options)), 0.02 * diagonal * 0.5, 0.05);
+    EXPECT_NEAR(kernel_of(draw(mesh, options)), 0.02 * diagonal * 0.5, 0.05);
 }
 
 TEST(PrintedSize, AFieldOfTheUsersIsDrawnAsItIs) {
-    const auto mesh = bumpySphere();
+    const auto mesh = bumpy_sphere();
     laplacian_lines::PrecomputeOptions computed;
     computed.kernel_size = 4;
     const auto field = laplacian_lines::precompute(mesh, computed);
-    const Sheet sheet = makeSheet(mesh, field, optionsAt(0.5));
-    EXPECT_NEAR(kernelOf(sheet), 2, 0.03);
+    const Sheet sheet = make_sheet(mesh, field, options_at(0.5));
+    EXPECT_NEAR(kernel_of(sheet), 2, 0.03);
     EXPECT_NEAR(sheet.kernel, 2, 1e-3);
 }
 
 TEST(PrintedSize, DetailIsALengthOnPaperOrAShare) {
-    EXPECT_EQ(parseDetailSize(" Auto ").size, 0);
-    EXPECT_EQ(parseDetailSize("1mm").size, 1);
-    EXPECT_FALSE(parseDetailSize("0.35 mm").is_share);
-    EXPECT_TRUE(parseDetailSize("0.9%").is_share);
-    EXPECT_DOUBLE_EQ(parseDetailSize("0.9%").size, 0.009);
+    EXPECT_EQ(parse_detail_size(" Auto ").size, 0);
+    EXPECT_EQ(parse_detail_size("1mm").size, 1);
+    EXPECT_FALSE(parse_detail_size("0.35 mm").is_share);
+    EXPECT_TRUE(parse_detail_size("0.9%").is_share);
+    EXPECT_DOUBLE_EQ(parse_detail_size("0.9%").size, 0.009);
     for (const char* wrong : {"", "1", "mm", "-1mm", "0mm", "1e9mm", "nan%", "1cm"})
-        EXPECT_THROW(parseDetailSize(wrong), laplacian_lines::Error) << wrong;
+        EXPECT_THROW(parse_detail_size(wrong), laplacian_lines::Error) << wrong;
 }
 
 }  // namespace

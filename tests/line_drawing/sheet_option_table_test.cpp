@@ -26,10 +26,10 @@ bool has(const std::string& text, const std::string& part) {
     return text.find(part) != text.npos;
 }
 
-std::vector<SheetOption> optionsOf(Place place) {
+std::vector<SheetOption> options_of(Place place) {
     std::vector<SheetOption> options;
-    for (const SheetOption& option : sheetOptionTable())
-        if (option.isOf(place)) options.push_back(option);
+    for (const SheetOption& option : sheet_option_table())
+        if (option.is_of(place)) options.push_back(option);
     return options;
 }
 
@@ -45,30 +45,30 @@ std::string complaint(const SheetOption& option, const std::string& word) {
 
 TEST(SheetOptions, HaveNamesOfTheirOwn) {
     std::set<std::string> keys, labels, commands;
-    for (const SheetOption& option : sheetOptionTable()) {
+    for (const SheetOption& option : sheet_option_table()) {
         EXPECT_TRUE(keys.insert(option.row.key).second) << option.row.key;
         EXPECT_TRUE(labels.insert(option.row.label).second) << option.row.label;
         EXPECT_TRUE(commands.insert(option.command()).second) << option.row.key;
-        EXPECT_TRUE(endsWith(option.row.help, ".")) << option.row.key;
+        EXPECT_TRUE(ends_with(option.row.help, ".")) << option.row.key;
         EXPECT_EQ(option.row.text != nullptr, option.row.get == nullptr) << option.row.key;
     }
 }
 
 TEST(SheetOptions, AreReadAsTheyAreWritten) {
-    for (const SheetOption& option : optionsOf(Place::Command))
+    for (const SheetOption& option : options_of(Place::Command))
         for (const std::string& word : option.words()) {
             SheetChoices choices;
             option.read(upper(word), choices);
-            EXPECT_EQ(option.valueIn(choices), word) << option.row.key;
-            for (const SheetOption& other : optionsOf(Place::Command))
+            EXPECT_EQ(option.value_in(choices), word) << option.row.key;
+            for (const SheetOption& other : options_of(Place::Command))
                 if (other.row.key != std::string(option.row.key)) {
-                    EXPECT_EQ(other.valueIn(choices), other.valueIn({})) << option.row.key;
+                    EXPECT_EQ(other.value_in(choices), other.value_in({})) << option.row.key;
                 }
         }
 }
 
 TEST(SheetOptions, RefuseWhatIsNotAllowedAndSayWhatIs) {
-    for (const SheetOption& option : optionsOf(Place::Command))
+    for (const SheetOption& option : options_of(Place::Command))
         if (!option.words().empty()) {
             EXPECT_EQ(complaint(option, "sideways"), option.command() +
                                                          " is \"sideways\". It has to be one of " +
@@ -78,7 +78,7 @@ TEST(SheetOptions, RefuseWhatIsNotAllowedAndSayWhatIs) {
 }
 
 TEST(SheetOptions, AreThoseOfASheetByDefault) {
-    const SheetOptions read = sheetOptions({}), made;
+    const SheetOptions read = sheet_options({}), made;
     EXPECT_EQ(read.paper, made.paper);
     EXPECT_EQ(read.mm_per_unit, made.mm_per_unit);
     EXPECT_EQ(read.scale, made.scale);
@@ -90,7 +90,7 @@ TEST(SheetOptions, AreThoseOfASheetByDefault) {
 }
 
 TEST(SheetOptions, AreInTheHelpWithValuesAndDefault) {
-    const std::string help = sheetOptionsHelp();
+    const std::string help = sheet_options_help();
     std::istringstream lines(help);
     for (std::string line; std::getline(lines, line);)
         EXPECT_LE(line.size(), 100u) << line;
@@ -100,26 +100,26 @@ TEST(SheetOptions, AreInTheHelpWithValuesAndDefault) {
 }
 
 /// As in MeshLab's script.
-std::string inScript(const SheetOption& option) {
+std::string in_script(const SheetOption& option) {
     const SheetOption::Row& row = option.row;
     const std::string begin = std::string("<Param name=\"") + row.key + "\" type=\"";
-    if (option.row.text) return begin + "RichString\" value=\"" + option.valueIn({}) + "\"/>";
+    if (option.row.text) return begin + "RichString\" value=\"" + option.value_in({}) + "\"/>";
     const double value = row.get({});
     if (row.kind == laplacian_lines::OptionKind::Boolean)
         return begin + "RichBool\" value=\"" + (value != 0 ? "true" : "false") + "\"/>";
     if (row.kind == laplacian_lines::OptionKind::Real)
-        return begin + "RichFloat\" value=\"" + inDigits(value) + "\"/>";
+        return begin + "RichFloat\" value=\"" + in_digits(value) + "\"/>";
     std::string choices = std::to_string(row.choices.size()) + '"';
     for (std::size_t i = 0; i < row.choices.size(); ++i)
         choices += " enum_val" + std::to_string(i) + "=\"" + row.choices[i] + '"';
-    return begin + "RichEnum\" value=\"" + inDigits(value) + "\" enum_cardinality=\"" + choices +
+    return begin + "RichEnum\" value=\"" + in_digits(value) + "\" enum_cardinality=\"" + choices +
            "/>";
 }
 
 TEST(SheetOptions, OfTheFilterAreInTheExample) {
     const std::string example = content("docs/examples/laplacian_lines_drawing.mlx");
-    for (const SheetOption& option : optionsOf(Place::Filter))
-        EXPECT_TRUE(has(example, inScript(option) + '\n')) << inScript(option);
+    for (const SheetOption& option : options_of(Place::Filter))
+        EXPECT_TRUE(has(example, in_script(option) + '\n')) << in_script(option);
 }
 
 }  // namespace

@@ -11,8 +11,8 @@ using Eigen::Vector2d;
 
 namespace {
 
-constexpr auto pens = pensOf(Weights::Illustrator);
-constexpr double pen = 0.25;  // mm, of inner lines
+constexpr auto kPens = pens_of(Weights::Illustrator);
+constexpr double kPen = 0.25;  // mm, of inner lines
 
 /// Points .1 mm apart.
 DrawnLine straight(const Vector2d& from, const Vector2d& to, double weight = 1,
@@ -35,21 +35,21 @@ DrawnLine circle(double circumference) {
     return line;
 }
 
-double lengthOfAll(const std::vector<DrawnLine>& lines) {
+double length_of_all(const std::vector<DrawnLine>& lines) {
     double sum = 0;
     for (const DrawnLine& line : lines)
-        sum += lengthOf(line.points);
+        sum += length_of(line.points);
     return sum;
 }
 
 TEST(Thinning, LeavesTheStrongerOfTwoLinesSideBySide) {
     const auto thinned =
-        thinOut({straight({0, 0}, {20, 0}, 0.5), straight({0, 0.3}, {20, 0.3})}, pens);
+        thin_out({straight({0, 0}, {20, 0}, 0.5), straight({0, 0.3}, {20, 0.3})}, kPens);
     ASSERT_EQ(thinned.size(), 1u);
     EXPECT_EQ(thinned[0].points[0].position.y(), 0.3);
-    for (const auto& [distance, count] : {std::pair(2.9 * pen, 1u), std::pair(3.1 * pen, 2u)})
+    for (const auto& [distance, count] : {std::pair(2.9 * kPen, 1u), std::pair(3.1 * kPen, 2u)})
         EXPECT_EQ(
-            thinOut({straight({0, 0}, {20, 0}), straight({0, distance}, {20, distance})}, pens)
+            thin_out({straight({0, 0}, {20, 0}), straight({0, distance}, {20, distance})}, kPens)
                 .size(),
             count);
 }
@@ -57,45 +57,46 @@ TEST(Thinning, LeavesTheStrongerOfTwoLinesSideBySide) {
 TEST(Thinning, LeavesLinesThatCrossOrMeet) {
     const std::vector<DrawnLine> lines = {straight({0, 0}, {20, 0}), straight({10, -8}, {10, 8}),
                                           straight({5, 0.04}, {5, 9})};
-    EXPECT_NEAR(lengthOfAll(thinOut(lines, pens)), lengthOfAll(lines), 1e-9);
+    EXPECT_NEAR(length_of_all(thin_out(lines, kPens)), length_of_all(lines), 1e-9);
 }
 
 TEST(Thinning, TakesAwayOnlyThePartBesideAnotherLine) {
     const auto thinned =
-        thinOut({straight({0, 0}, {20, 0}), straight({10, 0.2}, {30, 0.2}, 0.5)}, pens);
+        thin_out({straight({0, 0}, {20, 0}), straight({10, 0.2}, {30, 0.2}, 0.5)}, kPens);
     ASSERT_EQ(thinned.size(), 2u);
-    EXPECT_NEAR(lengthOf(thinned[1].points), 10, 0.7);
+    EXPECT_NEAR(length_of(thinned[1].points), 10, 0.7);
 }
 
 TEST(Thinning, LeavesWhiteBesideOutlinesAndEdgesWhichStay) {
     for (const LineClass c : {LineClass::Outline, LineClass::Contour, LineClass::Edge}) {
-        const double touching = pens[std::size_t(c)] / 2 + pen / 2;
+        const double touching = kPens[std::size_t(c)] / 2 + kPen / 2;
         const auto left = [&](double white, double rise) {
-            const double y = touching + white * pen;
-            return lengthOfAll(thinOut(
-                       {straight({0, 0}, {20, 0}, 1, c), straight({0, y}, {20, y + rise})}, pens)) -
+            const double y = touching + white * kPen;
+            return length_of_all(
+                       thin_out({straight({0, 0}, {20, 0}, 1, c), straight({0, y}, {20, y + rise})},
+                                kPens)) -
                    20;
         };
         EXPECT_EQ(left(1.4, 0), 0);
         EXPECT_NEAR(left(1.6, 0), 20, 1e-9);
-        EXPECT_NEAR(left(0.6, pen), 20, 0.1);  // whole, or not at all
-        EXPECT_EQ(left(0.6, 0.8 * pen), 0);
+        EXPECT_NEAR(left(0.6, kPen), 20, 0.1);  // whole, or not at all
+        EXPECT_EQ(left(0.6, 0.8 * kPen), 0);
     }
 }
 
 TEST(Thinning, LeavesOutWhatIsTooShortToBeSeen) {
-    EXPECT_TRUE(thinOut({straight({0, 0}, {5.9 * pen, 0})}, pens).empty());
-    EXPECT_EQ(thinOut({straight({0, 0}, {6.1 * pen, 0})}, pens).size(), 1u);
-    DrawnLine folded = straight({0, 0}, {3.5 * pen, 0});
-    folded.points.push_back({{0, 0.5 * pen}, 1, laplacian_lines::kNoSightNode, false});
-    EXPECT_TRUE(thinOut({folded}, pens).empty());
-    EXPECT_TRUE(thinOut({circle(23 * pen)}, pens).empty());
-    EXPECT_EQ(thinOut({circle(25 * pen)}, pens).size(), 1u);
+    EXPECT_TRUE(thin_out({straight({0, 0}, {5.9 * kPen, 0})}, kPens).empty());
+    EXPECT_EQ(thin_out({straight({0, 0}, {6.1 * kPen, 0})}, kPens).size(), 1u);
+    DrawnLine folded = straight({0, 0}, {3.5 * kPen, 0});
+    folded.points.push_back({{0, 0.5 * kPen}, 1, laplacian_lines::kNoSightNode, false});
+    EXPECT_TRUE(thin_out({folded}, kPens).empty());
+    EXPECT_TRUE(thin_out({circle(23 * kPen)}, kPens).empty());
+    EXPECT_EQ(thin_out({circle(25 * kPen)}, kPens).size(), 1u);
 }
 
 /// Of lines that meet nothing, below 4 mm.
 std::size_t whole(const std::vector<DrawnLine>& lines) {
-    return withoutFragments(lines, 4, pen).size();
+    return without_fragments(lines, 4, kPen).size();
 }
 
 TEST(Fragments, AreShortAndMeetNothing) {
@@ -120,7 +121,7 @@ TEST(Fragments, AreNoStrokesOfATexture) {
 }
 
 std::size_t strokes(const std::vector<DrawnLine>& lines, bool with_contours = false) {
-    return chain(lines, pens, with_contours).size();
+    return chain(lines, kPens, with_contours).size();
 }
 
 TEST(Chaining, JoinsLinesOverGaps) {
@@ -147,9 +148,9 @@ TEST(Chaining, GoesAroundCorners) {
     EXPECT_EQ(strokes({towards(0, 180), towards(0.3, 100)}), 2u);
     const DrawnLine contour = towards(0, 180, LineClass::Contour);
     EXPECT_EQ(strokes({contour, towards(0, 100, LineClass::Contour)}), 2u);
-    const auto chained = chain({towards(0, 180), towards(0, 100), towards(0, 30)}, pens, false);
+    const auto chained = chain({towards(0, 180), towards(0, 100), towards(0, 30)}, kPens, false);
     ASSERT_EQ(chained.size(), 2u);  // what goes straight on comes first
-    EXPECT_NEAR(lengthOf(chained[0].points), 18, 0.1);
+    EXPECT_NEAR(length_of(chained[0].points), 18, 0.1);
 }
 
 /// Of 4 mm and 115°, to the left of or right of the x axis, from or towards its middle.
@@ -189,7 +190,7 @@ TEST(Chaining, ClosesARingOfTwoHalves) {
     DrawnLine whole = circle(40), first{LineClass::Inner, false, {}}, second = first;
     first.points.assign(whole.points.begin(), whole.points.begin() + 51);
     second.points.assign(whole.points.begin() + 50, whole.points.end());
-    const auto chained = chain({first, second}, pens, false);
+    const auto chained = chain({first, second}, kPens, false);
     ASSERT_EQ(chained.size(), 1u);
     EXPECT_TRUE(chained[0].closed);
     EXPECT_EQ(chained[0].points.front().position, chained[0].points.back().position);
@@ -201,7 +202,7 @@ TEST(Chaining, PassesFromAContourToALineWithOneWidth) {
     EXPECT_EQ(strokes({contour, line}), 2u);
     const DrawnLine next = straight({10, 0}, {20, 0}, 1, LineClass::Contour);
     EXPECT_EQ(strokes({contour, next}), 1u);
-    const auto chained = chain({contour, line}, pens, true);
+    const auto chained = chain({contour, line}, kPens, true);
     ASSERT_EQ(chained.size(), 1u);
     EXPECT_EQ(chained[0].line_class, LineClass::Contour);
     for (std::size_t i = 1; i < chained[0].points.size(); ++i)  // no step
@@ -218,7 +219,7 @@ std::vector<DrawnLine> rings(int count, double pens_apart) {
     std::vector<DrawnLine> lines;
     for (int ring = 0; ring < count; ++ring) {
         DrawnLine line{LineClass::Inner, false, {}};
-        const double height = ring * pens_apart * pen / std::cos(0.26);
+        const double height = ring * pens_apart * kPen / std::cos(0.26);
         const double radius = 30 + 2 * std::cos(height / 20);
         for (double angle = 0.6; angle < 2.55; angle += 0.01)
             line.points.push_back(
@@ -233,9 +234,9 @@ std::vector<DrawnLine> rings(int count, double pens_apart) {
 }
 
 /// The lines of a family that are left, all whole.
-std::vector<std::size_t> wholeOf(const std::vector<DrawnLine>& family) {
+std::vector<std::size_t> whole_of(const std::vector<DrawnLine>& family) {
     std::vector<std::size_t> whole;
-    const auto thinned = thinOut(family, pens);
+    const auto thinned = thin_out(family, kPens);
     for (std::size_t i = 0; i < family.size(); ++i)
         for (const DrawnLine& line : thinned)
             if (line.points.front().position == family[i].points.front().position &&
@@ -247,7 +248,7 @@ std::vector<std::size_t> wholeOf(const std::vector<DrawnLine>& family) {
 
 TEST(Families, AreDrawnEvenlyTheSmallerTheFewer) {
     for (const auto& [pens_apart, every] : {std::pair(6., 1u), {3.5, 1u}, {1.75, 2u}, {1.2, 3u}}) {
-        const auto whole = wholeOf(rings(24, pens_apart));
+        const auto whole = whole_of(rings(24, pens_apart));
         ASSERT_GE(whole.size(), 24 / every - 1) << pens_apart;
         for (std::size_t i = 1; i < whole.size(); ++i)
             EXPECT_EQ(whole[i] - whole[i - 1], every) << pens_apart << ": " << whole[i];

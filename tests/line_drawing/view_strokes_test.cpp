@@ -23,7 +23,7 @@ TriangleMesh bumps() {
     return test_meshes::bumpy_sphere(6, 0.15).mesh;
 }
 
-ViewFrame frameAt(const Vector3d& towards_viewer, bool has_eye) {
+ViewFrame frame_at(const Vector3d& towards_viewer, bool has_eye) {
     ViewFrame frame;
     frame.side = Side::Other;
     frame.towards_viewer = towards_viewer.normalized();
@@ -33,7 +33,7 @@ ViewFrame frameAt(const Vector3d& towards_viewer, bool has_eye) {
     return frame;
 }
 
-double lengthOf(const std::vector<SightLine>& lines) {
+double length_of(const std::vector<SightLine>& lines) {
     double length = 0;
     for (const SightLine& line : lines)
         for (std::size_t i = 1; i < line.points.size(); ++i)
@@ -44,8 +44,8 @@ double lengthOf(const std::vector<SightLine>& lines) {
 TEST(ViewStrokes, LieOnTheSurface) {
     const TriangleMesh mesh = bumps();
     for (const bool has_eye : {false, true}) {
-        const ViewFrame frame = frameAt({1, 2, 3}, has_eye);
-        const std::vector<SightLine> strokes = strokesOf({{mesh}}, frame, {});
+        const ViewFrame frame = frame_at({1, 2, 3}, has_eye);
+        const std::vector<SightLine> strokes = strokes_of({{mesh}}, frame, {});
         ASSERT_GE(strokes.size(), 2u);
         EXPECT_TRUE(std::any_of(strokes.begin(), strokes.end(),
                                 [](const SightLine& line) { return line.is_outline; }));
@@ -60,16 +60,17 @@ TEST(ViewStrokes, LieOnTheSurface) {
 
 TEST(ViewStrokes, AreFewerAndLongerThanWhatIsSeen) {
     const TriangleMesh mesh = bumps();
-    const ViewFrame frame = frameAt({1, 2, 3}, false);
+    const ViewFrame frame = frame_at({1, 2, 3}, false);
     const laplacian_lines::LineVisibility visibility(mesh);
     const laplacian_lines::LineExtractor extractor(mesh, laplacian_lines::precompute(mesh));
     const auto view = laplacian_lines::View::orthographic(frame.towards_viewer);
     laplacian_lines::ExtractionScratch scratch;
     const std::vector<SightLine> seen =
         visibility.look(view, {extract_on_surface(extractor, view, {}, scratch)}, {});
-    const std::vector<SightLine> strokes = strokesOf({{mesh}}, frame, {});
+    const std::vector<SightLine> strokes = strokes_of({{mesh}}, frame, {});
     EXPECT_LT(2 * strokes.size(), seen.size());
-    EXPECT_GT(lengthOf(strokes) / double(strokes.size()), 2 * lengthOf(seen) / double(seen.size()));
+    EXPECT_GT(length_of(strokes) / double(strokes.size()),
+              2 * length_of(seen) / double(seen.size()));
 }
 
 /// A ball before a plate that is far away: the plate's border goes on behind the ball.
@@ -79,7 +80,7 @@ TEST(ViewStrokes, EndWhereTheirLineGoesOnBehindAnother) {
     for (Vector3d& p : plate.positions)
         p += Vector3d(1, 0, -10);
     const Objects objects = {{ball}, {plate}};
-    const auto strokes = strokesOf(objects, frameAt({0, 0, 1}, false), {});
+    const auto strokes = strokes_of(objects, frame_at({0, 0, 1}, false), {});
     int near = 0, far = 0;
     for (const SightLine& line : strokes) {
         const auto [low, high] =
@@ -94,19 +95,19 @@ TEST(ViewStrokes, EndWhereTheirLineGoesOnBehindAnother) {
 
 TEST(ViewStrokes, FollowTheDetail) {
     const TriangleMesh mesh = bumps();
-    const auto lengthAt = [&](double detail) {
+    const auto length_at = [&](double detail) {
         SheetOptions options;
         options.style.detail = detail;
-        return lengthOf(strokesOf({{mesh}}, frameAt({1, 2, 3}, false), options));
+        return length_of(strokes_of({{mesh}}, frame_at({1, 2, 3}, false), options));
     };
-    EXPECT_LT(lengthAt(0), lengthAt(100));
+    EXPECT_LT(length_at(0), length_at(100));
 }
 
 TEST(ViewStrokes, RefuseAnEyeInside) {
     const TriangleMesh mesh = bumps();
-    ViewFrame frame = frameAt({0, 0, 1}, true);
+    ViewFrame frame = frame_at({0, 0, 1}, true);
     frame.eye = Vector3d(0, 0, 0.1);
-    EXPECT_THROW(strokesOf({{mesh}}, frame, {}), laplacian_lines::Error);
+    EXPECT_THROW(strokes_of({{mesh}}, frame, {}), laplacian_lines::Error);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ protected:
     std::string path(const std::string& name) const {
         return folder_.path().toStdString() + '/' + name;
     }
-    int fileCount() const {
+    int file_count() const {
         return int(std::distance(fs::directory_iterator(path("")), fs::directory_iterator()));
     }
 
@@ -49,14 +49,14 @@ private:
     QTemporaryDir folder_;
 };
 
-std::string contentOf(const std::string& file) {
+std::string content_of(const std::string& file) {
     std::ifstream input(file);
     return {std::istreambuf_iterator<char>(input), {}};
 }
 
 /// The refusal's message, or nothing.
 template <class Work>
-std::string complaintOf(Work work) {
+std::string complaint_of(Work work) {
     try {
         work();
     } catch (const laplacian_lines::Error& error) {
@@ -67,35 +67,35 @@ std::string complaintOf(Work work) {
 
 TEST_F(WholeFiles, OldOnesStayWhereverTheDiskEnds) {
     const std::string file = path("sheet.svg"), data(2000, 'x');
-    writeWhole(file, "old");
+    write_whole(file, "old");
     for (std::size_t bytes = 0; bytes < data.size(); ++bytes) {
         const FullDisk disk(bytes);
-        const std::string complaint = complaintOf([&] { writeWhole(file, data); });
+        const std::string complaint = complaint_of([&] { write_whole(file, data); });
         EXPECT_NE(complaint.find("sheet.svg"), complaint.npos) << bytes << ": " << complaint;
         EXPECT_NE(complaint.find("File too large"), complaint.npos) << bytes << complaint;
     }
-    EXPECT_EQ(contentOf(file), "old");
-    EXPECT_EQ(fileCount(), 1);
+    EXPECT_EQ(content_of(file), "old");
+    EXPECT_EQ(file_count(), 1);
     const FullDisk disk(data.size());
-    writeWhole(file, data);
-    EXPECT_EQ(contentOf(file), data);
+    write_whole(file, data);
+    EXPECT_EQ(content_of(file), data);
 }
 
 TEST_F(WholeFiles, NamesAreNotCut) {
     const std::string file = path("cut") + '\0' + "off.svg";
-    for (const auto& complaint :
-         {complaintOf([&] { checkWritable(file); }), complaintOf([&] { writeWhole(file, "new"); })})
+    for (const auto& complaint : {complaint_of([&] { check_writable(file); }),
+                                  complaint_of([&] { write_whole(file, "new"); })})
         EXPECT_NE(complaint.find("cut\\0off.svg\" cannot be written: the name"), complaint.npos)
             << complaint;
-    EXPECT_EQ(fileCount(), 0);
+    EXPECT_EQ(file_count(), 0);
 }
 
 TEST_F(WholeFiles, LinksAreFollowed) {
     const std::string file = path("real.svg"), link = path("link.svg");
-    writeWhole(file, "old");
+    write_whole(file, "old");
     fs::create_symlink(file, link);
-    writeWhole(link, "new");
-    EXPECT_EQ(contentOf(file), "new");
+    write_whole(link, "new");
+    EXPECT_EQ(content_of(file), "new");
     EXPECT_TRUE(fs::is_symlink(link));
 }
 
@@ -103,10 +103,10 @@ TEST_F(WholeFiles, DevicesAreWrittenIntoAndStay) {
     const std::string link = path("null.svg"), full = path("full.svg");
     fs::create_symlink("/dev/null", link);
     fs::create_symlink("/dev/full", full);
-    checkWritable(link);
-    writeWhole(link, "new");
+    check_writable(link);
+    write_whole(link, "new");
     EXPECT_TRUE(fs::is_symlink(link));
-    const std::string complaint = complaintOf([&] { writeWhole(full, "new"); });
+    const std::string complaint = complaint_of([&] { write_whole(full, "new"); });
     EXPECT_NE(complaint.find("No space left on device"), complaint.npos) << complaint;
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
@@ -116,8 +116,8 @@ TEST_F(WholeFiles, PipesGetAll) {
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
     const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
     ASSERT_GE(reader, 0);
-    checkWritable(pipe);
-    writeWhole(pipe, "new");
+    check_writable(pipe);
+    write_whole(pipe, "new");
     char read_back[8] = {};
     EXPECT_EQ(read(reader, read_back, sizeof read_back), 3);
     EXPECT_STREQ(read_back, "new");
@@ -128,7 +128,7 @@ TEST_F(WholeFiles, PipesGetAll) {
 TEST_F(WholeFiles, FoldersAreRefusedBefore) {
     fs::create_directory(path("sheet.svg"));
     const auto complaint = [&](const char* name) {
-        return complaintOf([&] { checkWritable(path(name)); });
+        return complaint_of([&] { check_writable(path(name)); });
     };
     EXPECT_NE(complaint("sheet.svg").find("folder"), std::string::npos);
     EXPECT_NE(complaint("none/sheet.svg"), "");

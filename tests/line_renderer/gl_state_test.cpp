@@ -10,7 +10,7 @@ namespace {
 
 using line_renderer::HiddenLines;
 
-GLuint boundBuffer(GLenum target) {
+GLuint bound_buffer(GLenum target) {
     GLuint buffer = 0;
     glGenBuffers(1, &buffer);
     glBindBuffer(target, buffer);
@@ -18,14 +18,14 @@ GLuint boundBuffer(GLenum target) {
 }
 
 /// To what neither drawing nor defaults use.
-void makeStateUnusual() {
-    boundBuffer(GL_ELEMENT_ARRAY_BUFFER);
+void make_state_unusual() {
+    bound_buffer(GL_ELEMENT_ARRAY_BUFFER);
     glEnableVertexAttribArray(1);
     glEnableVertexAttribArray(9);
-    boundBuffer(GL_ARRAY_BUFFER);
+    bound_buffer(GL_ARRAY_BUFFER);
     glVertexPointer(2, GL_SHORT, 12, nullptr);
     glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, 24, nullptr);
-    boundBuffer(GL_ARRAY_BUFFER);
+    bound_buffer(GL_ARRAY_BUFFER);
     for (GLenum array : {GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY})
         glEnableClientState(array);
     for (GLenum feature : {GL_CULL_FACE, GL_LIGHTING, GL_POLYGON_OFFSET_FILL, GL_ALPHA_TEST})
@@ -52,7 +52,7 @@ void makeStateUnusual() {
 using State = std::map<GLenum, std::vector<double>>;
 using Names = std::initializer_list<GLenum>;
 
-State currentState() {
+State current_state() {
     EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
     State state;
     const Names switches[] = {
@@ -106,41 +106,43 @@ class GlStateTest : public LineTest {
 protected:
     /// Twice: the first call also creates objects.
     template <class Draw>
-    void expectSameState(const char* what, Draw draw) {
+    void expect_same_state(const char* what, Draw draw) {
         for (const char* time : {"first", "second"}) {
-            const State before = currentState();
+            const State before = current_state();
             draw();
-            for (const auto& [name, value] : currentState())
+            for (const auto& [name, value] : current_state())
                 EXPECT_EQ(value, before.at(name))
                     << what << ", " << time << ": state 0x" << std::hex << name;
         }
     }
 
-    void expectSameStateWhateverIsDrawn() {
+    void expect_same_state_whatever_is_drawn() {
         Rectangles rectangles;
         rectangles.add(20, 20, 90, 70, 0);
         const line_renderer::SurfacePointer surface = rectangles.surface();
-        expectSameState("background", [&] { surfaces_.paintBackground(); });
-        expectSameState("copy of depths", [&] {
-            depth_.forgetDepthBuffer();
+        expect_same_state("background", [&] { surfaces_.paint_background(); });
+        expect_same_state("copy of depths", [&] {
+            depth_.forget_depth_buffer();
             depth_.copy();
         });
-        expectSameState("surface", [&] {
-            surfaces_.paint(layerOf(surface), line_renderer::SurfaceStyle::Toon,
+        expect_same_state("surface", [&] {
+            surfaces_.paint(layer_of(surface), line_renderer::SurfaceStyle::Toon,
                             Eigen::Matrix4d::Identity(), depth_.copy(), buffers_);
         });
-        expectSameState("depths", [&] {
+        expect_same_state("depths", [&] {
             depth_.copy();
-            depth_.update({layerOf(surface)}, buffers_);
+            depth_.update({layer_of(surface)}, buffers_);
         });
         const line_renderer::InkPicture picture = {
             {Canvas::width + 5, Canvas::height + 7},
             {std::vector<std::uint8_t>((Canvas::width + 5) * (Canvas::height + 7))}};
-        expectSameState("picture", [&] { pictures_.paint(picture, {Qt::black}, {5, 7}); });
+        expect_same_state("picture", [&] { pictures_.paint(picture, {Qt::black}, {5, 7}); });
         for (HiddenLines hidden : {HiddenLines::LeftOut, HiddenLines::Faint, HiddenLines::Dashed}) {
-            line_renderer::LineAppearance appearance = blackLines(3);
+            line_renderer::LineAppearance appearance = black_lines(3);
             appearance.hidden = hidden;
-            expectSameState("lines", [&] { drawn(oneLine({{9, 9, 0}, {90, 80, 0}}), appearance); });
+            expect_same_state("lines", [&] {
+                drawn(one_line({{9, 9, 0}, {90, 80, 0}}), appearance);
+            });
         }
     }
 
@@ -150,31 +152,31 @@ protected:
 };
 
 TEST_F(GlStateTest, IsAsItWas) {
-    expectSameStateWhateverIsDrawn();
+    expect_same_state_whatever_is_drawn();
 }
 
 TEST_F(GlStateTest, IsAsItWasHoweverUnusual) {
-    makeStateUnusual();
-    expectSameStateWhateverIsDrawn();
+    make_state_unusual();
+    expect_same_state_whatever_is_drawn();
 }
 
 TEST_F(GlStateTest, IsAsItWasInAnArrayObject) {
     GLuint array = 0;
     glGenVertexArrays(1, &array);
     glBindVertexArray(array);
-    makeStateUnusual();
-    expectSameStateWhateverIsDrawn();
+    make_state_unusual();
+    expect_same_state_whatever_is_drawn();
 }
 
 /// Unusual state does not affect the picture.
 TEST_F(GlStateTest, DoesNotChangeThePicture) {
-    const laplacian_lines::LineSet lines = oneLine({{9, 9, 0}, {90, 80, 0}});
-    const QImage usual = drawn(lines, blackLines(3));
-    ASSERT_LT(colorAt(usual, 9, 9).greenF(), 0.1);
+    const laplacian_lines::LineSet lines = one_line({{9, 9, 0}, {90, 80, 0}});
+    const QImage usual = drawn(lines, black_lines(3));
+    ASSERT_LT(color_at(usual, 9, 9).greenF(), 0.1);
     canvas_.clear();
-    makeStateUnusual();
+    make_state_unusual();
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);  // the caller's
-    EXPECT_EQ(drawn(lines, blackLines(3)), usual);
+    EXPECT_EQ(drawn(lines, black_lines(3)), usual);
 }
 
 }  // namespace

@@ -45,10 +45,10 @@ void Canvas::clear(float alpha, const QColor& color) const {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void Canvas::putDepth(int x, int y, int columns, int rows, double z) const {
+void Canvas::put_depth(int x, int y, int columns, int rows, double z) const {
     glEnable(GL_SCISSOR_TEST);
     glScissor(x, y, columns, rows);
-    glClearDepth(depthOf(z));
+    glClearDepth(depth_of(z));
     glClear(GL_DEPTH_BUFFER_BIT);
     glDisable(GL_SCISSOR_TEST);
 }
@@ -72,21 +72,21 @@ LinePlacement Canvas::placement() {
     return result;
 }
 
-double inkOfColumn(const QImage& picture, int x) {
+double ink_of_column(const QImage& picture, int x) {
     double ink = 0;
     for (int y = 0; y < picture.height(); ++y)
         ink += 1 - picture.pixelColor(x, y).greenF();
     return ink;
 }
 
-double inkOf(const QImage& picture) {
+double ink_of(const QImage& picture) {
     double ink = 0;
     for (int x = 0; x < picture.width(); ++x)
-        ink += inkOfColumn(picture, x);
+        ink += ink_of_column(picture, x);
     return ink;
 }
 
-QColor colorAt(const QImage& picture, int x, int y) {
+QColor color_at(const QImage& picture, int x, int y) {
     return picture.pixelColor(x, picture.height() - 1 - y);
 }
 
@@ -104,7 +104,7 @@ SurfacePointer Rectangles::surface() const {
     return std::make_shared<line_renderer::Surface>(surface_);
 }
 
-SurfaceLayer layerOf(const SurfacePointer& surface) {
+SurfaceLayer layer_of(const SurfacePointer& surface) {
     SurfaceLayer layer;
     layer.surface = surface;
     layer.diagonal = 1;
@@ -121,12 +121,12 @@ GlContext::GlContext(const GlContext* partner) : data_(std::make_unique<Data>())
     if (!data_->context.create()) throw std::runtime_error("There is no OpenGL here.");
     data_->surface.setFormat(data_->context.format());
     data_->surface.create();
-    makeCurrent();
+    make_current();
 }
 
 GlContext::~GlContext() = default;
 
-void GlContext::makeCurrent() {
+void GlContext::make_current() {
     if (!data_->context.makeCurrent(&data_->surface))
         throw std::runtime_error("OpenGL cannot be used here.");
 }

@@ -27,26 +27,26 @@ public:
 
     void clear(float alpha = 1, const QColor& color = Qt::white) const;
     /// Fills part of the depth buffer.
-    void putDepth(int x, int y, int columns, int rows, double z) const;
+    void put_depth(int x, int y, int columns, int rows, double z) const;
 
     QImage picture() const;
 
     static Eigen::Matrix4d projection();
     /// Mesh coordinates are those of the canvas.
     static line_renderer::LinePlacement placement();
-    /// As putDepth(z) writes it, 0..1.
-    static float depthOf(double z) { return float(0.5 - 0.5 * z); }
+    /// As put_depth(z) writes it, 0..1.
+    static float depth_of(double z) { return float(0.5 - 0.5 * z); }
 
 private:
     GLuint framebuffer_ = 0, colors_ = 0, depths_ = 0;
 };
 
 /// Sum of darkness, white 0 and black 1.
-double inkOfColumn(const QImage& picture, int x);
-double inkOf(const QImage& picture);
+double ink_of_column(const QImage& picture, int x);
+double ink_of(const QImage& picture);
 
 /// From the lower left.
-QColor colorAt(const QImage& picture, int x, int y);
+QColor color_at(const QImage& picture, int x, int y);
 
 /// Rectangles that face the eye, with any normals.
 class Rectangles {
@@ -60,7 +60,7 @@ private:
 };
 
 /// Untransformed. The surface has to outlive it.
-line_renderer::SurfaceLayer layerOf(const line_renderer::SurfacePointer& surface);
+line_renderer::SurfaceLayer layer_of(const line_renderer::SurfacePointer& surface);
 
 /// Replaces a function or value while it lives.
 template <class Function>
@@ -87,7 +87,7 @@ public:
     explicit GlContext(const GlContext* partner = nullptr);
     ~GlContext();
 
-    void makeCurrent();
+    void make_current();
 
 private:
     struct Data;
@@ -107,7 +107,7 @@ protected:
     QImage drawn(const laplacian_lines::LineSet& lines,
                  const line_renderer::LineAppearance& appearance,
                  line_renderer::LinePlacement placement = Canvas::placement()) {
-        depth_.forgetDepthBuffer();
+        depth_.forget_depth_buffer();
         placement.depths = depth_.copy();
         line_renderer::RedrawClock clock;
         renderer_.upload(lines, appearance, placement);
@@ -119,7 +119,7 @@ protected:
     line_renderer::LineRenderer renderer_;
 };
 
-inline line_renderer::LineAppearance blackLines(double width) {
+inline line_renderer::LineAppearance black_lines(double width) {
     line_renderer::LineAppearance appearance;
     appearance.looks.fill({Qt::black, width});
     return appearance;

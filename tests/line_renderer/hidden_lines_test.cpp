@@ -13,10 +13,10 @@ using line_renderer::LineAppearance;
 using line_renderer::LinePlacement;
 
 /// Through the middle, half way in depth.
-const LineSet line = oneLine({{10, 60.5f, 0}, {150, 60.5f, 0}});
+const LineSet kLine = one_line({{10, 60.5f, 0}, {150, 60.5f, 0}});
 
-LineAppearance appearanceOf(HiddenLines hidden) {
-    LineAppearance result = blackLines(4);
+LineAppearance appearance_of(HiddenLines hidden) {
+    LineAppearance result = black_lines(4);
     result.hidden = hidden;
     return result;
 }
@@ -24,41 +24,41 @@ LineAppearance appearanceOf(HiddenLines hidden) {
 class HiddenLinesTest : public LineTest {
 protected:
     /// With a surface at this z over the right half.
-    QImage lineWithSurfaceAt(double z, const LineAppearance& appearance,
-                             const LinePlacement& placement = Canvas::placement(),
-                             const LineSet& lines = line) {
+    QImage line_with_surface_at(double z, const LineAppearance& appearance,
+                                const LinePlacement& placement = Canvas::placement(),
+                                const LineSet& lines = kLine) {
         canvas_.clear();
-        canvas_.putDepth(80, 0, 80, Canvas::height, z);
+        canvas_.put_depth(80, 0, 80, Canvas::height, z);
         return drawn(lines, appearance, placement);
     }
 };
 
 /// On both sides of the middle.
-void expectWidths(const QImage& picture, double left, double right) {
+void expect_widths(const QImage& picture, double left, double right) {
     for (int x : {20, 50, 76})
-        EXPECT_NEAR(inkOfColumn(picture, x), left, 0.05) << x;
+        EXPECT_NEAR(ink_of_column(picture, x), left, 0.05) << x;
     for (int x : {84, 110, 140})
-        EXPECT_NEAR(inkOfColumn(picture, x), right, 0.05) << x;
+        EXPECT_NEAR(ink_of_column(picture, x), right, 0.05) << x;
 }
 
 TEST_F(HiddenLinesTest, AreLeftOutBehindASurface) {
-    const LineAppearance appearance = appearanceOf(HiddenLines::LeftOut);
-    expectWidths(lineWithSurfaceAt(0.5, appearance), 4, 0);
-    expectWidths(lineWithSurfaceAt(-0.5, appearance), 4, 4);
-    expectWidths(lineWithSurfaceAt(0, appearance), 4, 4);
+    const LineAppearance appearance = appearance_of(HiddenLines::LeftOut);
+    expect_widths(line_with_surface_at(0.5, appearance), 4, 0);
+    expect_widths(line_with_surface_at(-0.5, appearance), 4, 4);
+    expect_widths(line_with_surface_at(0, appearance), 4, 4);
 }
 
 /// The surface may be 0.003 diagonals before a line, for contours at least 1.5 edges.
 TEST_F(HiddenLinesTest, AreSeenFromALittleBelowTheSurface) {
-    const LineAppearance appearance = appearanceOf(HiddenLines::LeftOut);
+    const LineAppearance appearance = appearance_of(HiddenLines::LeftOut);
     LinePlacement placement = Canvas::placement();
     placement.diagonal = 10;
     placement.sight_edge = 0.1;
-    LineSet outline = line;
+    LineSet outline = kLine;
     const auto expect_limit = [&](LineKind kind, double limit) {
         outline.lines[0].kind = kind;
-        expectWidths(lineWithSurfaceAt(limit - 0.001, appearance, placement, outline), 4, 4);
-        expectWidths(lineWithSurfaceAt(limit + 0.001, appearance, placement, outline), 4, 0);
+        expect_widths(line_with_surface_at(limit - 0.001, appearance, placement, outline), 4, 4);
+        expect_widths(line_with_surface_at(limit + 0.001, appearance, placement, outline), 4, 0);
     };
     expect_limit(LineKind::Laplacian, 0.03);
     expect_limit(LineKind::Contour, 0.15);
@@ -69,23 +69,23 @@ TEST_F(HiddenLinesTest, AreSeenFromALittleBelowTheSurface) {
 
 /// Even if the surface hides one half, as along an outline.
 TEST_F(HiddenLinesTest, HaveTheirFullWidthAlongAnEdge) {
-    const auto widthUnder = [&](int y, int rows) {
+    const auto width_under = [&](int y, int rows) {
         canvas_.clear();
-        canvas_.putDepth(0, y, Canvas::width, rows, 0.5);
-        return inkOfColumn(drawn(line, appearanceOf(HiddenLines::LeftOut)), 80);
+        canvas_.put_depth(0, y, Canvas::width, rows, 0.5);
+        return ink_of_column(drawn(kLine, appearance_of(HiddenLines::LeftOut)), 80);
     };
     for (int edge : {60, 61})
-        EXPECT_NEAR(widthUnder(0, edge), 4, 0.05) << "from below to " << edge;
+        EXPECT_NEAR(width_under(0, edge), 4, 0.05) << "from below to " << edge;
     for (int edge : {61, 60})
-        EXPECT_NEAR(widthUnder(edge, Canvas::height - edge), 4, 0.05) << "from above to " << edge;
-    EXPECT_EQ(widthUnder(0, 66), 0);
-    EXPECT_EQ(widthUnder(55, Canvas::height - 55), 0);
+        EXPECT_NEAR(width_under(edge, Canvas::height - edge), 4, 0.05) << "from above to " << edge;
+    EXPECT_EQ(width_under(0, 66), 0);
+    EXPECT_EQ(width_under(55, Canvas::height - 55), 0);
 }
 
 LineSet contour(bool follows_edge) {
-    LineSet result = line;
+    LineSet result = kLine;
     result.lines[0].kind = LineKind::Contour;
-    if (follows_edge) putOnVertices(result, 0, result.points.size());
+    if (follows_edge) put_on_vertices(result, 0, result.points.size());
     return result;
 }
 
@@ -98,8 +98,9 @@ TEST_F(HiddenLinesTest, AreHiddenByALittleWhereTheyFollowEdges) {
     placement.projection.leftCols<2>() *= 10;
     placement.to_eye(2, 3) = -0.25;  // their depth
     const auto expect_right_half = [&](bool follows_edge, double z, double width) {
-        const LineAppearance appearance = appearanceOf(HiddenLines::LeftOut);
-        expectWidths(lineWithSurfaceAt(z, appearance, placement, contour(follows_edge)), 4, width);
+        const LineAppearance appearance = appearance_of(HiddenLines::LeftOut);
+        expect_widths(line_with_surface_at(z, appearance, placement, contour(follows_edge)), 4,
+                      width);
     };
     for (const bool follows_edge : {false, true})
         expect_right_half(follows_edge, 0.1, 4);
@@ -113,9 +114,9 @@ TEST_F(HiddenLinesTest, AreSeenFromNoFurtherAsideThanAPixelWhereTheyFollowEdges)
         LinePlacement placement = Canvas::placement();
         placement.pixel_scale = scale;
         canvas_.clear();
-        canvas_.putDepth(0, 0, Canvas::width, edge, 0.5);
-        const LineAppearance appearance = appearanceOf(HiddenLines::LeftOut);
-        return inkOfColumn(drawn(contour(follows_edge), appearance, placement), 80);
+        canvas_.put_depth(0, 0, Canvas::width, edge, 0.5);
+        const LineAppearance appearance = appearance_of(HiddenLines::LeftOut);
+        return ink_of_column(drawn(contour(follows_edge), appearance, placement), 80);
     };
     for (const int edge : {60, 61})
         EXPECT_NEAR(width_below(edge, true, 2), 8, 0.05) << edge;
@@ -125,25 +126,25 @@ TEST_F(HiddenLinesTest, AreSeenFromNoFurtherAsideThanAPixelWhereTheyFollowEdges)
 
 /// At four times the clearance and more: no pieces along outlines.
 TEST_F(HiddenLinesTest, AreFaintIfWanted) {
-    const LineAppearance appearance = appearanceOf(HiddenLines::Faint);
-    expectWidths(lineWithSurfaceAt(0.5, appearance), 4, 1);
-    expectWidths(lineWithSurfaceAt(0.013, appearance), 4, 1);
-    expectWidths(lineWithSurfaceAt(0.011, appearance), 4, 0);
-    expectWidths(lineWithSurfaceAt(0.002, appearance), 4, 4);
+    const LineAppearance appearance = appearance_of(HiddenLines::Faint);
+    expect_widths(line_with_surface_at(0.5, appearance), 4, 1);
+    expect_widths(line_with_surface_at(0.013, appearance), 4, 1);
+    expect_widths(line_with_surface_at(0.011, appearance), 4, 0);
+    expect_widths(line_with_surface_at(0.002, appearance), 4, 4);
 }
 
 TEST_F(HiddenLinesTest, AreDashedIfWanted) {
-    const QImage picture = lineWithSurfaceAt(0.5, appearanceOf(HiddenLines::Dashed));
+    const QImage picture = line_with_surface_at(0.5, appearance_of(HiddenLines::Dashed));
     for (int x : {20, 50, 76})
-        EXPECT_NEAR(inkOfColumn(picture, x), 4, 0.05);
+        EXPECT_NEAR(ink_of_column(picture, x), 4, 0.05);
     // Dashes of 5 pixels every 9, from the line's start.
     double ink = 0;
     for (int x = 90; x < 90 + 45; ++x) {
-        ink += inkOfColumn(picture, x);
+        ink += ink_of_column(picture, x);
         const double along = std::fmod(x + 0.5 - 10, 9);
         const bool is_dash = along > 0.6 && along<4.4, is_gap = along> 5.6 && along < 8.4;
         if (is_dash || is_gap) {
-            EXPECT_NEAR(inkOfColumn(picture, x), is_dash ? 4 : 0, 0.05) << x;
+            EXPECT_NEAR(ink_of_column(picture, x), is_dash ? 4 : 0, 0.05) << x;
         }
     }
     EXPECT_NEAR(ink, 4 * 25, 2);
@@ -160,20 +161,20 @@ TEST_F(HiddenLinesTest, AreThoseBehindTheTextureAndWellBehindTheDepthBuffer) {
     LinePlacement placement = Canvas::placement();
     placement.diagonal = 0.1;
     placement.mark_pixels = 4;
-    const auto drawnOver = [&](const Rectangles& rectangles, double depth_buffer_z) {
+    const auto drawn_over = [&](const Rectangles& rectangles, double depth_buffer_z) {
         canvas_.clear();
-        canvas_.putDepth(80, 0, 80, Canvas::height, depth_buffer_z);
+        canvas_.put_depth(80, 0, 80, Canvas::height, depth_buffer_z);
         const line_renderer::SurfacePointer surface = rectangles.surface();
-        placement.depths = depth_.update({layerOf(surface)}, buffers);
-        const LineAppearance appearance = appearanceOf(HiddenLines::LeftOut);
+        placement.depths = depth_.update({layer_of(surface)}, buffers);
+        const LineAppearance appearance = appearance_of(HiddenLines::LeftOut);
         line_renderer::RedrawClock clock;
-        renderer_.upload(line, appearance, placement);
+        renderer_.upload(kLine, appearance, placement);
         renderer_.draw(appearance, placement, clock);
         return canvas_.picture();
     };
-    expectWidths(drawnOver(far, 0.01), 4, 4);
-    expectWidths(drawnOver(far, 0.9), 4, 0);
-    expectWidths(drawnOver(near, -0.9), 4, 0);
+    expect_widths(drawn_over(far, 0.01), 4, 4);
+    expect_widths(drawn_over(far, 0.9), 4, 0);
+    expect_widths(drawn_over(near, -0.9), 4, 0);
 }
 
 }  // namespace

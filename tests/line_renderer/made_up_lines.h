@@ -6,9 +6,9 @@
 #include "laplacian_lines/line_set.h"
 
 /// Adds a line of full weight that follows no mesh edges.
-inline void addLine(laplacian_lines::LineSet& lines, const std::vector<Eigen::Vector3f>& points,
-                    laplacian_lines::LineKind kind = laplacian_lines::LineKind::Laplacian,
-                    bool closed = false, float opacity = 1) {
+inline void add_line(laplacian_lines::LineSet& lines, const std::vector<Eigen::Vector3f>& points,
+                     laplacian_lines::LineKind kind = laplacian_lines::LineKind::Laplacian,
+                     bool closed = false, float opacity = 1) {
     laplacian_lines::Polyline line;
     line.first = std::uint32_t(lines.points.size());
     line.count = std::uint32_t(points.size());
@@ -20,13 +20,13 @@ inline void addLine(laplacian_lines::LineSet& lines, const std::vector<Eigen::Ve
 }
 
 /// Makes points from `first` on vertices of a mesh, between which contours follow edges.
-inline void putOnVertices(laplacian_lines::LineSet& lines, std::size_t first, std::size_t count) {
+inline void put_on_vertices(laplacian_lines::LineSet& lines, std::size_t first, std::size_t count) {
     for (std::size_t i = first; i < first + count; ++i)
         lines.points[i].gradient = 0;
 }
 
-inline laplacian_lines::LineSet oneLine(const std::vector<Eigen::Vector3f>& points) {
+inline laplacian_lines::LineSet one_line(const std::vector<Eigen::Vector3f>& points) {
     laplacian_lines::LineSet lines;
-    addLine(lines, points);
+    add_line(lines, points);
     return lines;
 }

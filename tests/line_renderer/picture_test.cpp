@@ -8,7 +8,7 @@ namespace {
 
 using line_renderer::InkPicture;
 
-constexpr int width = 2 * Canvas::width, height = 3 * Canvas::height;
+constexpr int kWidth = 2 * Canvas::width, kHeight = 3 * Canvas::height;
 
 class PictureTest : public LineTest {
 protected:
@@ -19,11 +19,11 @@ protected:
     }
     /// Inks a pixel, from the upper left.
     void put(std::size_t ink, int x, int y) {
-        picture_.inks[ink][std::size_t(y) * width + std::size_t(x)] = 0;
+        picture_.inks[ink][std::size_t(y) * kWidth + std::size_t(x)] = 0;
     }
 
-    InkPicture picture_ = {{width, height},
-                           std::vector(2, std::vector<std::uint8_t>(width* height, 255))};
+    InkPicture picture_ = {{kWidth, kHeight},
+                           std::vector(2, std::vector<std::uint8_t>(kWidth* kHeight, 255))};
     line_renderer::PictureRenderer pictures_;
 };
 
@@ -32,18 +32,18 @@ TEST_F(PictureTest, LaysInksOverEachOtherInTheirColors) {
     put(0, 5, 2);
     put(1, 5, 2);
     const QImage view = shown({Qt::blue, QColor(255, 0, 0, 128)}, {0, 0});
-    EXPECT_EQ(colorAt(view, 3, Canvas::height - 3), QColor(Qt::blue));
-    EXPECT_NEAR(colorAt(view, 5, Canvas::height - 3).redF(), 0.5, 0.01);
-    EXPECT_NEAR(colorAt(view, 5, Canvas::height - 3).blueF(), 0.5, 0.01);
-    EXPECT_EQ(colorAt(view, 4, Canvas::height - 3), QColor(Qt::white));
+    EXPECT_EQ(color_at(view, 3, Canvas::height - 3), QColor(Qt::blue));
+    EXPECT_NEAR(color_at(view, 5, Canvas::height - 3).redF(), 0.5, 0.01);
+    EXPECT_NEAR(color_at(view, 5, Canvas::height - 3).blueF(), 0.5, 0.01);
+    EXPECT_EQ(color_at(view, 4, Canvas::height - 3), QColor(Qt::white));
 }
 
 TEST_F(PictureTest, ShowsTheViewsPartOfALargePicture) {
     put(0, Canvas::width + 7, 2 * Canvas::height + 4);
     put(1, 1, 1);
     const QImage view = shown({Qt::black, Qt::red}, {Canvas::width, 2 * Canvas::height});
-    EXPECT_EQ(colorAt(view, 7, Canvas::height - 5), QColor(Qt::black));
-    EXPECT_NEAR(inkOf(view), 1, 1e-9);
+    EXPECT_EQ(color_at(view, 7, Canvas::height - 5), QColor(Qt::black));
+    EXPECT_NEAR(ink_of(view), 1, 1e-9);
 }
 
 }  // namespace

@@ -22,12 +22,12 @@ struct Renderers {
         const Canvas canvas;
         canvas.clear(1, Qt::yellow);
         line_renderer::LinePlacement placement = Canvas::placement();
-        depth.forgetDepthBuffer();
+        depth.forget_depth_buffer();
         placement.depths = depth.copy();
-        surfaces.paint(layerOf(surface), {}, placement.to_eye, placement.depths, buffers);
+        surfaces.paint(layer_of(surface), {}, placement.to_eye, placement.depths, buffers);
         line_renderer::RedrawClock clock;
-        lines.upload(oneLine({{9, 9, 0}, {90, 80, 0}}), blackLines(3), placement);
-        lines.draw(blackLines(3), placement, clock);
+        lines.upload(one_line({{9, 9, 0}, {90, 80, 0}}), black_lines(3), placement);
+        lines.draw(black_lines(3), placement, clock);
         return canvas.picture();
     }
 };
@@ -36,23 +36,23 @@ TEST(ShareGroups, AreAllDrawnIn) {
     Renderers renderers;
     auto first = std::make_unique<GlContext>();
     const QImage expected = renderers.picture();
-    ASSERT_EQ(colorAt(expected, 100, 30), QColor(Qt::white));
-    ASSERT_LT(colorAt(expected, 9, 9).greenF(), 0.1);
+    ASSERT_EQ(color_at(expected, 100, 30), QColor(Qt::white));
+    ASSERT_LT(color_at(expected, 9, 9).greenF(), 0.1);
     auto partner = std::make_unique<GlContext>(first.get());
     EXPECT_EQ(renderers.picture(), expected) << "shared";
     GlContext other;
     EXPECT_EQ(renderers.picture(), expected) << "not shared";
     first.reset();
-    partner->makeCurrent();
+    partner->make_current();
     EXPECT_EQ(renderers.picture(), expected) << "shared with one that is gone";
     partner.reset();
-    other.makeCurrent();
+    other.make_current();
     EXPECT_EQ(renderers.picture(), expected) << "beside a group that is gone";
     const GlContext next;
     EXPECT_EQ(renderers.picture(), expected) << "after a group that is gone";
 }
 
-int buffersInUse() {
+int buffers_in_use() {
     int count = 0;
     for (GLuint name = 1; name < 100; ++name)
         count += glIsBuffer(name);
@@ -68,12 +68,12 @@ TEST_F(SurfaceBuffersTest, AreFreedWhenTheirSurfaceIsGone) {
     line_renderer::SurfacePointer gone = rectangles.surface();
     const line_renderer::SurfacePointer kept = rectangles.surface();
     for (int time = 0; time < 2; ++time)
-        buffers.draw(layerOf(gone));
-    ASSERT_EQ(buffersInUse(), 2) << "vertices and triangles, handed over once";
+        buffers.draw(layer_of(gone));
+    ASSERT_EQ(buffers_in_use(), 2) << "vertices and triangles, handed over once";
     gone.reset();
     for (int time = 0; time < 2; ++time)
-        buffers.draw(layerOf(kept));
-    EXPECT_EQ(buffersInUse(), 2);
+        buffers.draw(layer_of(kept));
+    EXPECT_EQ(buffers_in_use(), 2);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ using line_renderer::DepthTexture;
 using line_renderer::SurfaceLayer;
 using line_renderer::SurfacePointer;
 
-constexpr float tiny = 1e-6f;
+constexpr float kTiny = 1e-6f;
 
 /// A texture's values at the canvas's pixels.
 class Depths {
@@ -41,27 +41,27 @@ protected:
 /// A layer's lines must not hide the next one's, and copying takes time.
 TEST_F(SurfaceDepthTest, CopiesOnceARedraw) {
     depth_.copy();
-    canvas_.putDepth(0, 0, Canvas::width, Canvas::height, 0.5);
+    canvas_.put_depth(0, 0, Canvas::width, Canvas::height, 0.5);
     EXPECT_EQ(Depths(depth_.copy()).at(80, 60), 1);
-    depth_.forgetDepthBuffer();
-    EXPECT_NEAR(Depths(depth_.copy()).at(80, 60), Canvas::depthOf(0.5), tiny);
+    depth_.forget_depth_buffer();
+    EXPECT_NEAR(Depths(depth_.copy()).at(80, 60), Canvas::depth_of(0.5), kTiny);
 }
 
 TEST_F(SurfaceDepthTest, CopiesTheViewportWhereverItIs) {
-    canvas_.putDepth(100, 70, 60, 50, 0.5);
+    canvas_.put_depth(100, 70, 60, 50, 0.5);
     glViewport(100, 70, 20, 10);
-    EXPECT_NEAR(Depths(depth_.copy()).at(110, 75), Canvas::depthOf(0.5), tiny);
+    EXPECT_NEAR(Depths(depth_.copy()).at(110, 75), Canvas::depth_of(0.5), kTiny);
     // Another viewport in the same redraw, as large as possible.
     glViewport(0, 0, Canvas::width, Canvas::height);
     const Depths depths(depth_.copy());
     EXPECT_EQ(depths.at(10, 10), 1);
-    EXPECT_NEAR(depths.at(159, 119), Canvas::depthOf(0.5), tiny);
+    EXPECT_NEAR(depths.at(159, 119), Canvas::depth_of(0.5), kTiny);
 }
 
 TEST_F(SurfaceDepthTest, CannotCopySeveralSamplesAPixel) {
-    EXPECT_TRUE(line_renderer::SurfaceDepth::canCopy());
+    EXPECT_TRUE(line_renderer::SurfaceDepth::can_copy());
     const Canvas smooth(4);
-    EXPECT_FALSE(line_renderer::SurfaceDepth::canCopy());
+    EXPECT_FALSE(line_renderer::SurfaceDepth::can_copy());
 }
 
 TEST_F(SurfaceDepthTest, DrawsTheNearestOfAllLayers) {
@@ -69,16 +69,16 @@ TEST_F(SurfaceDepthTest, DrawsTheNearestOfAllLayers) {
     front.add(20, 20, 40, 40, 0.5);
     back.add(0, 0, 100, 120, -0.5);
     const SurfacePointer surfaces[] = {front.surface(), back.surface()};
-    SurfaceLayer moved = layerOf(surfaces[0]);
+    SurfaceLayer moved = layer_of(surfaces[0]);
     moved.transform(0, 3) = 60;
-    canvas_.putDepth(0, 0, Canvas::width, Canvas::height, 0.9);
-    const DepthTexture texture = depth_.update({moved, layerOf(surfaces[1])}, buffers_);
+    canvas_.put_depth(0, 0, Canvas::width, Canvas::height, 0.9);
+    const DepthTexture texture = depth_.update({moved, layer_of(surfaces[1])}, buffers_);
     EXPECT_FALSE(texture.is_complete);
     const Depths depths(texture);
-    EXPECT_NEAR(depths.at(90, 30), Canvas::depthOf(0.5), tiny);
-    EXPECT_NEAR(depths.at(30, 30), Canvas::depthOf(-0.5), tiny);
+    EXPECT_NEAR(depths.at(90, 30), Canvas::depth_of(0.5), kTiny);
+    EXPECT_NEAR(depths.at(30, 30), Canvas::depth_of(-0.5), kTiny);
     EXPECT_EQ(depths.at(150, 110), 1) << "the depth buffer does not count";
-    EXPECT_NEAR(Depths(depth_.copy()).at(150, 110), Canvas::depthOf(0.9), tiny)
+    EXPECT_NEAR(Depths(depth_.copy()).at(150, 110), Canvas::depth_of(0.9), kTiny)
         << "and is left as it was";
 }
 
@@ -86,14 +86,14 @@ TEST_F(SurfaceDepthTest, LeavesOutBackFacesWhereTheyAreCulled) {
     Rectangles rectangles;
     rectangles.add(0, 0, 160, 120, 0.5);
     const SurfacePointer surface = rectangles.surface();
-    SurfaceLayer layer = layerOf(surface);
+    SurfaceLayer layer = layer_of(surface);
     layer.culls_back_faces = true;
-    EXPECT_NEAR(Depths(depth_.update({layer}, buffers_)).at(80, 60), Canvas::depthOf(0.5), tiny);
+    EXPECT_NEAR(Depths(depth_.update({layer}, buffers_)).at(80, 60), Canvas::depth_of(0.5), kTiny);
     glFrontFace(GL_CW);
     layer.transform(0, 3) = 1;  // something has changed
     EXPECT_EQ(Depths(depth_.update({layer}, buffers_)).at(80, 60), 1);
     layer.culls_back_faces = false;
-    EXPECT_NEAR(Depths(depth_.update({layer}, buffers_)).at(80, 60), Canvas::depthOf(0.5), tiny);
+    EXPECT_NEAR(Depths(depth_.update({layer}, buffers_)).at(80, 60), Canvas::depth_of(0.5), kTiny);
 }
 
 /// The texture is drawn anew only after changes.
@@ -101,11 +101,11 @@ TEST_F(SurfaceDepthTest, FollowsLayersCameraAndViewport) {
     Rectangles rectangles;
     rectangles.add(0, 0, 160, 120, 0.5);
     const SurfacePointer surface = rectangles.surface();
-    SurfaceLayer layer = layerOf(surface);
+    SurfaceLayer layer = layer_of(surface);
     const auto expect = [&](double z, const char* after) {
         for (int time = 0; time < 2; ++time)
-            EXPECT_NEAR(Depths(depth_.update({layer}, buffers_)).at(50, 50), Canvas::depthOf(z),
-                        tiny)
+            EXPECT_NEAR(Depths(depth_.update({layer}, buffers_)).at(50, 50), Canvas::depth_of(z),
+                        kTiny)
                 << after;
     };
     expect(0.5, "at first");
@@ -122,7 +122,7 @@ TEST_F(SurfaceDepthTest, FollowsLayersCameraAndViewport) {
 TEST_F(SurfaceDepthTest, IsEmptyWhereASurfaceIsGone) {
     Rectangles rectangles;
     rectangles.add(0, 0, 160, 120, 0.5);
-    const SurfaceLayer gone = layerOf(rectangles.surface());
+    const SurfaceLayer gone = layer_of(rectangles.surface());
     EXPECT_EQ(Depths(depth_.update({gone}, buffers_)).at(80, 60), 1);
 }
 

@@ -19,7 +19,7 @@ TEST(Surface, HasTheTrianglesWhoseCornersAreFinite) {
     Field field;
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
         field.normals.push_back({0, 0, float(i)});
-    const line_renderer::SurfacePointer surface = line_renderer::makeSurface(mesh, field);
+    const line_renderer::SurfacePointer surface = line_renderer::make_surface(mesh, field);
     ASSERT_EQ(surface->vertices.size(), mesh.positions.size());
     EXPECT_EQ(surface->vertices[2].position, Eigen::Vector3f(0, 1, 0));
     EXPECT_EQ(surface->vertices[2].normal, Eigen::Vector3f(0, 0, 2));

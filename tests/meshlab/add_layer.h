@@ -5,8 +5,8 @@
 #include "meshlab_host/meshlab_api.h"
 
 /// The current layer of the document, as MeshLab's readers make it.
-inline CMeshO& addLayer(MeshDocument& document, const char* name,
-                        const laplacian_lines::TriangleMesh& source) {
+inline CMeshO& add_layer(MeshDocument& document, const char* name,
+                         const laplacian_lines::TriangleMesh& source) {
     CMeshO& mesh = document.addNewMesh("", name)->cm;
     auto vertex = vcg::tri::Allocator<CMeshO>::AddVertices(mesh, source.positions.size());
     for (const Eigen::Vector3d& p : source.positions)

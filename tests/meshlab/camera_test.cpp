@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Matrix4d;
 using Eigen::Vector3d;
-using meshlab_host::directionInMesh;
+using meshlab_host::direction_in_mesh;
 
 constexpr double kTiny = 1e-12;
 
@@ -33,7 +33,7 @@ Matrix4d distorting() {
 
 TEST(DirectionInMesh, TurnsBackWhatTheCameraHasTurned) {
     const Vector3d direction(0.3, -0.8, 0.4);
-    const auto in_mesh = directionInMesh(direction, kModelview, kRigid);
+    const auto in_mesh = direction_in_mesh(direction, kModelview, kRigid);
     ASSERT_TRUE(in_mesh);
     const Eigen::Matrix3d turn = (kModelview * kRigid).topLeftCorner<3, 3>();
     EXPECT_TRUE((turn * *in_mesh).isApprox(direction, kTiny));
@@ -46,7 +46,7 @@ TEST(DirectionInMesh, GrazesTheFacesThatTheLightGrazesInTheScene) {
     const Eigen::Matrix3d to_eye = (kModelview * distorting()).topLeftCorner<3, 3>();
     // A face along the light, by its sides in the mesh.
     const Vector3d side = to_eye.inverse() * in_scene, other_side = to_eye.inverse() * other;
-    const auto light = directionInMesh(in_scene, kModelview, distorting());
+    const auto light = direction_in_mesh(in_scene, kModelview, distorting());
     ASSERT_TRUE(light);
     EXPECT_NEAR(light->normalized().dot(side.cross(other_side).normalized()), 0, 1e-9);
 }
@@ -54,8 +54,8 @@ TEST(DirectionInMesh, GrazesTheFacesThatTheLightGrazesInTheScene) {
 /// From straight behind an orthographic viewer.
 TEST(DirectionInMesh, AgreesWithTheEye) {
     Matrix4d projection = Matrix4d::Identity();
-    const auto view = meshlab_host::viewFromMatrices(kModelview, projection, distorting());
-    const auto light = directionInMesh(Vector3d::UnitZ(), kModelview, distorting());
+    const auto view = meshlab_host::view_from_matrices(kModelview, projection, distorting());
+    const auto light = direction_in_mesh(Vector3d::UnitZ(), kModelview, distorting());
     ASSERT_TRUE(view && light);
     EXPECT_EQ(view->w, 0);
     EXPECT_TRUE(light->normalized().isApprox(view->eye.normalized(), 1e-9));
@@ -64,7 +64,7 @@ TEST(DirectionInMesh, AgreesWithTheEye) {
 TEST(DirectionInMesh, IsEmptyWithoutAnInverse) {
     Matrix4d flat = kRigid;
     flat.col(0).setZero();
-    EXPECT_FALSE(directionInMesh(Vector3d::UnitZ(), kModelview, flat));
+    EXPECT_FALSE(direction_in_mesh(Vector3d::UnitZ(), kModelview, flat));
 }
 
 }  // namespace

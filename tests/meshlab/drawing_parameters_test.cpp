@@ -15,27 +15,27 @@ using laplacian_lines::Error;
 using line_drawing::SheetOptions;
 using meshlab_host::CurrentView;
 
-const CurrentView window{true, {0, 0, 9}, {1, 0, 0}, {0, 0, 1}};  // seen from x, z up
+const CurrentView kWindow{true, {0, 0, 9}, {1, 0, 0}, {0, 0, 1}};  // seen from x, z up
 
 TEST(DrawingParameters, TheViewOfTheWindowHasItsUpwardDirection) {
     DrawingParameters chosen;
     chosen.views = "window";
-    const line_drawing::ViewFrame view = sheetOptions(chosen, window).views.at(0);
+    const line_drawing::ViewFrame view = sheet_options(chosen, kWindow).views.at(0);
     EXPECT_EQ(view.towards_viewer, Eigen::Vector3d(1, 0, 0));
     EXPECT_EQ(view.up, Eigen::Vector3d(0, 0, 1));
     EXPECT_EQ(view.right, Eigen::Vector3d(0, 1, 0));
     EXPECT_FALSE(view.eye);
-    CurrentView perspective = window;
+    CurrentView perspective = kWindow;
     perspective.is_orthographic = false;
-    EXPECT_EQ(sheetOptions(chosen, perspective).views.at(0).eye, window.eye);
-    EXPECT_THROW(sheetOptions(chosen, std::nullopt), Error);
+    EXPECT_EQ(sheet_options(chosen, perspective).views.at(0).eye, kWindow.eye);
+    EXPECT_THROW(sheet_options(chosen, std::nullopt), Error);
     chosen.views = "front";
-    EXPECT_EQ(sheetOptions(chosen, std::nullopt).views.size(), 1u);
+    EXPECT_EQ(sheet_options(chosen, std::nullopt).views.size(), 1u);
 }
 
 TEST(DrawingParameters, AreReadAsTheyWereListed) {
     DrawingParameters given;
-    for (const auto& option : line_drawing::sheetOptionTable())
+    for (const auto& option : line_drawing::sheet_option_table())
         if (option.row.text)
             given.*option.row.text = option.row.key;
         else if (option.row.get(given) < option.row.maximum)
@@ -43,10 +43,10 @@ TEST(DrawingParameters, AreReadAsTheyWereListed) {
         else
             option.row.set(given, option.row.minimum);
     RichParameterList list;
-    listDrawingParameters(given, list);
-    const DrawingParameters read = readDrawingParameters(list);
-    for (const auto& option : line_drawing::sheetOptionTable()) {
-        if (!option.isOf(line_drawing::SheetOption::Place::Filter)) continue;
+    list_drawing_parameters(given, list);
+    const DrawingParameters read = read_drawing_parameters(list);
+    for (const auto& option : line_drawing::sheet_option_table()) {
+        if (!option.is_of(line_drawing::SheetOption::Place::Filter)) continue;
         if (option.row.text) {
             EXPECT_EQ(read.*option.row.text, option.row.key);
         } else {
@@ -55,75 +55,75 @@ TEST(DrawingParameters, AreReadAsTheyWereListed) {
     }
     given.paper = 7;
     RichParameterList wrong;
-    listDrawingParameters(given, wrong);
-    EXPECT_THROW(readDrawingParameters(wrong), Error);
+    list_drawing_parameters(given, wrong);
+    EXPECT_THROW(read_drawing_parameters(wrong), Error);
 }
 
 TEST(DrawingParameters, StartBesideTheMeshAndAtTheWindow) {
-    EXPECT_EQ(drawingDefaults(nullptr, false).file, "drawing.svg");
-    EXPECT_EQ(drawingDefaults(nullptr, false).views, "front");
-    EXPECT_EQ(drawingDefaults(nullptr, true).views, "window");
+    EXPECT_EQ(drawing_defaults(nullptr, false).file, "drawing.svg");
+    EXPECT_EQ(drawing_defaults(nullptr, false).views, "front");
+    EXPECT_EQ(drawing_defaults(nullptr, true).views, "window");
     MeshDocument document;
     MeshModel* mesh = document.addNewMesh("/finds/find.17.ply", "find");
-    EXPECT_EQ(drawingDefaults(mesh, false).file, "/finds/find.17_drawing.svg");
+    EXPECT_EQ(drawing_defaults(mesh, false).file, "/finds/find.17_drawing.svg");
     // Scripts have one unit, whatever the size.
     mesh->cm.bbox.Set(Point3m(0, 0, 0));
     mesh->cm.bbox.Add(Point3m(1, 1, 1));
-    EXPECT_EQ(drawingDefaults(mesh, false).unit, 0);
-    EXPECT_EQ(drawingDefaults(mesh, true).unit, 2);
+    EXPECT_EQ(drawing_defaults(mesh, false).unit, 0);
+    EXPECT_EQ(drawing_defaults(mesh, true).unit, 2);
     mesh->cm.Tr.SetScale(1000, 1000, 1000);
-    EXPECT_EQ(drawingDefaults(mesh, true).unit, 0);
+    EXPECT_EQ(drawing_defaults(mesh, true).unit, 0);
 }
 
 TEST(DrawingParameters, AreRecordedForAnyMesh) {
     MeshDocument document;
     const MeshModel& mesh = *document.addNewMesh("/finds/find.17.ply", "find");
     const MeshModel& next = *document.addNewMesh("/more/18.ply", "next");
-    DrawingParameters chosen = drawingDefaults(&mesh, true);
+    DrawingParameters chosen = drawing_defaults(&mesh, true);
     chosen.views = "front, window";
-    const DrawingParameters recorded = forAnyMesh(chosen, mesh, window);
+    const DrawingParameters recorded = for_any_mesh(chosen, mesh, kWindow);
     EXPECT_EQ(recorded.views, "front toward 1 0 0 0 0 1");
-    EXPECT_EQ(fileFor(mesh, recorded.file), chosen.file);
-    EXPECT_EQ(fileFor(next, recorded.file), "/more/18_drawing.svg");
-    EXPECT_EQ(sheetOptions(recorded, std::nullopt).views.at(1).right, Eigen::Vector3d(0, 1, 0));
+    EXPECT_EQ(file_for(mesh, recorded.file), chosen.file);
+    EXPECT_EQ(file_for(next, recorded.file), "/more/18_drawing.svg");
+    EXPECT_EQ(sheet_options(recorded, std::nullopt).views.at(1).right, Eigen::Vector3d(0, 1, 0));
     chosen.file = "/elsewhere/find.17.svg";
-    EXPECT_EQ(forAnyMesh(chosen, mesh, window).file, chosen.file);
+    EXPECT_EQ(for_any_mesh(chosen, mesh, kWindow).file, chosen.file);
 }
 
 TEST(DrawingParameters, TakeLinesAndLightFromTheDecoration) {
     int count = 0;
     QCoreApplication application(count, nullptr);
     DrawingParameters chosen;
-    chosen.settings = line_drawing::settings_of_decoration;
-    EXPECT_THROW(sheetOptions(chosen, std::nullopt), Error);
+    chosen.settings = line_drawing::kSettingsOfDecoration;
+    EXPECT_THROW(sheet_options(chosen, std::nullopt), Error);
     meshlab_host::DrawnStyle drawn;
     drawn.style.detail = 77;
     drawn.light_azimuth = 90;  // from the right of the picture
-    meshlab_host::noteDrawnStyle(drawn);
-    const SheetOptions options = sheetOptions(chosen, std::nullopt);
+    meshlab_host::note_drawn_style(drawn);
+    const SheetOptions options = sheet_options(chosen, std::nullopt);
     EXPECT_EQ(options.style.detail, 77);
     ASSERT_TRUE(options.light);
     EXPECT_TRUE(options.light->isApprox(Eigen::Vector3d(1, 0, 1).normalized(), 1e-12));
     drawn.light_azimuth.reset();
-    meshlab_host::noteDrawnStyle(drawn);
-    EXPECT_FALSE(sheetOptions(chosen, std::nullopt).light);
+    meshlab_host::note_drawn_style(drawn);
+    EXPECT_FALSE(sheet_options(chosen, std::nullopt).light);
 }
 
 TEST(DrawingParameters, TakeTheKindsOfMixtures) {
-    for (std::size_t i = 0; i < laplacian_lines::line_mixtures.size(); ++i) {
+    for (std::size_t i = 0; i < laplacian_lines::kLineMixtures.size(); ++i) {
         DrawingParameters chosen;
-        chosen.settings = line_drawing::settings_of_decoration + 1 + int(i);
-        const SheetOptions options = sheetOptions(chosen, std::nullopt);
-        for (const auto& kind : laplacian_lines::line_kinds)
+        chosen.settings = line_drawing::kSettingsOfDecoration + 1 + int(i);
+        const SheetOptions options = sheet_options(chosen, std::nullopt);
+        for (const auto& kind : laplacian_lines::kLineKinds)
             EXPECT_EQ(options.style.shows[kind.kind],
-                      laplacian_lines::line_mixtures[i].kinds[kind.kind])
-                << laplacian_lines::line_mixtures[i].key << ": " << kind.key;
+                      laplacian_lines::kLineMixtures[i].kinds[kind.kind])
+                << laplacian_lines::kLineMixtures[i].key << ": " << kind.key;
     }
 }
 
 TEST(DrawingUnits, AreThoseThatScansUsuallyHave) {
     const auto unit = [](double diagonal) {
-        return std::string(line_drawing::mesh_units[likelyUnit(diagonal)].name);
+        return std::string(line_drawing::kMeshUnits[likely_unit(diagonal)].name);
     };
     EXPECT_EQ(unit(0.05), "m");  // a coin of photogrammetry
     EXPECT_EQ(unit(6), "m");     // a trench

@@ -11,7 +11,7 @@ namespace {
 
 using namespace laplacian_lines;
 
-LineSet bumpyLines() {
+LineSet bumpy_lines() {
     const auto bumps = test_meshes::mesh_named("bumpy_sphere").mesh;
     const LineExtractor extractor(bumps, precompute(bumps));
     ExtractionScratch scratch;
@@ -32,16 +32,16 @@ std::vector<Scalarm> column(CMeshO& mesh, const char* name) {
     return values;
 }
 
-void expectPoint(const CVertexO& vertex, const LinePoint& point) {
+void expect_point(const CVertexO& vertex, const LinePoint& point) {
     for (int axis = 0; axis < 3; ++axis)
         EXPECT_EQ(vertex.cP()[axis], point.position[axis]);
     EXPECT_EQ(vertex.cQ(), point.weight * point.opacity);
 }
 
 TEST(EdgeMesh, HoldsTheLineSet) {
-    const LineSet lines = bumpyLines();
+    const LineSet lines = bumpy_lines();
     CMeshO mesh;
-    meshlab_host::toEdgeMesh(lines, mesh);
+    meshlab_host::to_edge_mesh(lines, mesh);
     ASSERT_EQ(std::size_t(mesh.en), lines.segment_count());
     EXPECT_EQ(mesh.fn, 0);
     const auto number = column(mesh, "ll_line"), kind = column(mesh, "ll_kind"),
@@ -63,7 +63,7 @@ TEST(EdgeMesh, HoldsTheLineSet) {
                 // A closed line's last point is at its first vertex.
                 EXPECT_EQ(vertex.cP()[0], point.position.x());
                 if (end == 1 && line.closed && i + 2 == line.count) continue;
-                expectPoint(vertex, point);
+                expect_point(vertex, point);
                 EXPECT_EQ(number[v], Scalarm(l));
                 EXPECT_EQ(kind[v], Scalarm(int(line.kind)));
                 EXPECT_EQ(strength[v], line.strength);
@@ -85,10 +85,10 @@ TEST(EdgeMesh, HasTheNormalsOfTheSurface) {
     PrecomputeOptions unsmoothed;
     unsmoothed.normal_smoothing = NormalSmoothing::None;
     const Field field = precompute(bumps, unsmoothed);
-    const LineSet lines = bumpyLines();
+    const LineSet lines = bumpy_lines();
     CMeshO mesh;
-    meshlab_host::toEdgeMesh(lines, mesh);
-    meshlab_host::setNormals(bumps, mesh);
+    meshlab_host::to_edge_mesh(lines, mesh);
+    meshlab_host::set_normals(bumps, mesh);
     ASSERT_GT(mesh.vert.size(), 100u);
     for (const CVertexO& vertex : mesh.vert) {
         const Eigen::Vector3d point(vertex.cP()[0], vertex.cP()[1], vertex.cP()[2]);
@@ -103,25 +103,25 @@ TEST(EdgeMesh, HasTheNormalsOfTheSurface) {
 
 TEST(EdgeMesh, VerticesWithoutNormalsAreNotTheSurface) {
     auto bumps = test_meshes::mesh_named("bumpy_sphere").mesh;
-    const LineSet lines = bumpyLines();
+    const LineSet lines = bumpy_lines();
     for (const LinePoint& point : lines.points)  // in no triangle, just where the lines are
         bumps.positions.push_back(point.position.cast<double>());
     bumps.positions.emplace_back(NAN, 0, 0);
     CMeshO mesh;
-    meshlab_host::toEdgeMesh(lines, mesh);
-    meshlab_host::setNormals(bumps, mesh);
+    meshlab_host::to_edge_mesh(lines, mesh);
+    meshlab_host::set_normals(bumps, mesh);
     for (const CVertexO& vertex : mesh.vert)
         EXPECT_NEAR(vertex.cN().Norm(), 1, 1e-5);
 }
 
 TEST(EdgeMesh, HasTheColorsOfTheKinds) {
-    const LineSet lines = bumpyLines();
+    const LineSet lines = bumpy_lines();
     meshlab_host::KindColors colors{};
     for (std::size_t kind = 0; kind < colors.size(); ++kind)
         colors[kind] = qRgb(int(10 + kind), int(20 + kind), int(30 + kind));
     CMeshO mesh;
-    meshlab_host::toEdgeMesh(lines, mesh);
-    meshlab_host::setColors(lines, colors, mesh);
+    meshlab_host::to_edge_mesh(lines, mesh);
+    meshlab_host::set_colors(lines, colors, mesh);
     const auto kind = column(mesh, "ll_kind");
     for (std::size_t v = 0; v < mesh.vert.size(); ++v) {
         const int number = int(kind[v]);
@@ -131,8 +131,8 @@ TEST(EdgeMesh, HasTheColorsOfTheKinds) {
 
 TEST(EdgeMesh, IsEmptyWithoutLines) {
     CMeshO mesh;
-    meshlab_host::toEdgeMesh({}, mesh);
-    meshlab_host::setNormals({}, mesh);
+    meshlab_host::to_edge_mesh({}, mesh);
+    meshlab_host::set_normals({}, mesh);
     EXPECT_EQ(mesh.vn, 0);
     EXPECT_EQ(mesh.en, 0);
 }

@@ -18,7 +18,7 @@ using Allocator = vcg::tri::Allocator<CMeshO>;
 Field numbered(std::size_t vertices) {
     Field field;
     float next = 1;
-    for (const FieldColumn& column : field_columns) {
+    for (const FieldColumn& column : kFieldColumns) {
         column.resize(field, vertices);
         for (std::size_t i = 0; i < vertices * std::size_t(column.floats); ++i)
             column.write(field)[i] = next++;
@@ -39,10 +39,10 @@ protected:
         Allocator::DeleteVertex(mesh, mesh.vert[1]);
     }
 
-    void write() { writeField(mesh, field, {}, geometryStamp(mesh)); }
-    FieldStatus status() const { return fieldStatus(mesh, geometryStamp(mesh)); }
+    void write() { write_field(mesh, field, {}, geometry_stamp(mesh)); }
+    FieldStatus status() const { return field_status(mesh, geometry_stamp(mesh)); }
     template <class Value>
-    Value& valueOf(const char* name, std::size_t slot) {
+    Value& value_of(const char* name, std::size_t slot) {
         auto handle = Allocator::FindPerVertexAttribute<Value>(mesh, std::string(name));
         EXPECT_TRUE(Allocator::IsValidHandle(mesh, handle)) << name;
         return handle[slot];
@@ -56,12 +56,12 @@ TEST_F(FieldAttributes, ComeBack) {
     EXPECT_EQ(status(), FieldStatus::Missing);
     PrecomputeOptions options;
     options.kernel_size = 3;
-    writeField(mesh, field, options, geometryStamp(mesh));
+    write_field(mesh, field, options, geometry_stamp(mesh));
     EXPECT_EQ(status(), FieldStatus::Current);
-    EXPECT_EQ(readFieldRecord(mesh)->options.kernel_size, 3);
-    const auto back = readField(mesh, geometryStamp(mesh));
+    EXPECT_EQ(read_field_record(mesh)->options.kernel_size, 3);
+    const auto back = read_field(mesh, geometry_stamp(mesh));
     ASSERT_TRUE(back);
-    for (const FieldColumn& column : field_columns) {
+    for (const FieldColumn& column : kFieldColumns) {
         ASSERT_EQ(column.size(*back), column.size(field)) << column.key;
         const std::size_t count = column.size(field) * std::size_t(column.floats);
         EXPECT_TRUE(std::equal(column.read(field), column.read(field) + count, column.read(*back)))
@@ -69,21 +69,21 @@ TEST_F(FieldAttributes, ComeBack) {
     }
     EXPECT_EQ(back->scale.diagonal, 7);
     EXPECT_EQ(back->report.triangles, 1u);
-    EXPECT_EQ(valueOf<Point3m>("ll_normal", 0), Point3m(1, 2, 3));
-    EXPECT_EQ(valueOf<Point3m>("ll_normal", 1), Point3m(0, 0, 0)) << "of a deleted vertex";
-    EXPECT_EQ(valueOf<Point3m>("ll_normal", 2), Point3m(4, 5, 6));
+    EXPECT_EQ(value_of<Point3m>("ll_normal", 0), Point3m(1, 2, 3));
+    EXPECT_EQ(value_of<Point3m>("ll_normal", 1), Point3m(0, 0, 0)) << "of a deleted vertex";
+    EXPECT_EQ(value_of<Point3m>("ll_normal", 2), Point3m(4, 5, 6));
 }
 
 TEST_F(FieldAttributes, BelongToCoordinatesAndCorners) {
-    const GeometryStamp stamp = geometryStamp(mesh);
+    const GeometryStamp stamp = geometry_stamp(mesh);
     for (const bool is_compact : {false, true}) {
         if (is_compact) Allocator::CompactEveryVector(mesh);
-        EXPECT_EQ(geometryStamp(mesh), stamp);
+        EXPECT_EQ(geometry_stamp(mesh), stamp);
         mesh.vert.back().P()[1] += 1;
-        EXPECT_NE(geometryStamp(mesh), stamp);
+        EXPECT_NE(geometry_stamp(mesh), stamp);
         mesh.vert.back().P()[1] -= 1;
         std::swap(mesh.face[0].V(0), mesh.face[0].V(1));
-        EXPECT_NE(geometryStamp(mesh), stamp);
+        EXPECT_NE(geometry_stamp(mesh), stamp);
         std::swap(mesh.face[0].V(0), mesh.face[0].V(1));
     }
     write();
@@ -101,14 +101,14 @@ TEST_F(FieldAttributes, OfEarlierFieldsAreRemoved) {
 }
 
 TEST_F(FieldAttributes, CountOnlyWithEveryValueOfTheirNamesAndTypes) {
-    for (const FieldColumn& column : field_columns)
+    for (const FieldColumn& column : kFieldColumns)
         for (const FieldAttribute& attribute : column.attributes) {
             if (attribute.floats == 0) continue;
             write();
-            if (attribute.floats == 3) valueOf<Point3m>(attribute.name, 3)[1] += 1;
-            if (attribute.floats == 1) valueOf<Scalarm>(attribute.name, 3) += 1;
+            if (attribute.floats == 3) value_of<Point3m>(attribute.name, 3)[1] += 1;
+            if (attribute.floats == 1) value_of<Scalarm>(attribute.name, 3) += 1;
             EXPECT_EQ(status(), FieldStatus::Missing) << attribute.name;
-            EXPECT_FALSE(readField(mesh, geometryStamp(mesh))) << attribute.name;
+            EXPECT_FALSE(read_field(mesh, geometry_stamp(mesh))) << attribute.name;
             write();
             Allocator::DeletePerVertexAttribute(mesh, std::string(attribute.name));
             EXPECT_EQ(status(), FieldStatus::Missing) << attribute.name;
@@ -118,7 +118,7 @@ TEST_F(FieldAttributes, CountOnlyWithEveryValueOfTheirNamesAndTypes) {
 }
 
 TEST_F(FieldAttributes, EveryColumnHasToFitTheMesh) {
-    for (const FieldColumn& column : field_columns) {
+    for (const FieldColumn& column : kFieldColumns) {
         field = numbered(4);
         column.resize(field, 3);
         EXPECT_THROW(write(), Error) << column.key;

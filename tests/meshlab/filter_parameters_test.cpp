@@ -22,7 +22,7 @@ TEST(FilterParameters, AreFewAndInTheExamples) {
     const char* const examples[] = {"laplacian_lines.mlx", "laplacian_lines_polylines.mlx",
                                     "laplacian_lines_drawing.mlx"};
     const int most[] = {9, 7, 16};
-    const meshlab_host::FilterList filters = makeFilters();
+    const meshlab_host::FilterList filters = make_filters();
     for (std::size_t i = 0; i < filters.size(); ++i) {
         RichParameterList list;
         filters[i].list_parameters(nullptr, list);

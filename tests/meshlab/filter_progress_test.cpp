@@ -20,10 +20,10 @@ enum FilterNumber { Compute, Polylines, Drawing };
 
 class Plugin : public meshlab_host::FilterPluginBase {
 public:
-    Plugin() : FilterPluginBase("TestedFilters", makeFilters()) {}
+    Plugin() : FilterPluginBase("TestedFilters", make_filters()) {}
 
     RichParameterList defaults(FilterNumber filter, MeshDocument& document) {
-        QAction* action = actionOf(filter);
+        QAction* action = action_of(filter);
 #if MESHLAB_API < 2022
         RichParameterList list;
         initParameterSet(action, document, list);
@@ -36,7 +36,7 @@ public:
     /// The message for the user, if any.
     QString apply(FilterNumber filter, MeshDocument& document, const RichParameterList& list,
                   vcg::CallBackPos* callback) {
-        QAction* action = actionOf(filter);
+        QAction* action = action_of(filter);
 #if MESHLAB_API < 2022
         return applyFilter(action, document, list, callback) ? QString() : errorMsg();
 #else
@@ -57,13 +57,13 @@ public:
 #endif
 
 private:
-    QAction* actionOf(FilterNumber filter) const {
+    QAction* action_of(FilterNumber filter) const {
         const auto list = actions();
         return *std::next(list.begin(), filter);
     }
 };
 
-int layerCount(const MeshDocument& document) {
+int layer_count(const MeshDocument& document) {
 #if MESHLAB_API < 2022
     return document.size();
 #else
@@ -71,13 +71,13 @@ int layerCount(const MeshDocument& document) {
 #endif
 }
 
-constexpr int never = 101;
+constexpr int kNever = 101;
 
 /// The callback's log and when it cancels; a plain function cannot hold it.
 struct Record {
     std::vector<int> percents;
-    int cancel_from = never;  ///< percent; how many calls there are depends on the machine
-    int calls_after = 0;      ///< since it said to stop
+    int cancel_from = kNever;  ///< percent; how many calls there are depends on the machine
+    int calls_after = 0;       ///< since it said to stop
     bool has_cancelled = false;
 } record;
 
@@ -91,7 +91,7 @@ bool callback(const int percent, const char*) {
 class FilterProgress : public testing::TestWithParam<FilterNumber> {
 protected:
     FilterProgress() {
-        addLayer(document, "bumpy_sphere", test_meshes::mesh_named("bumpy_sphere").mesh);
+        add_layer(document, "bumpy_sphere", test_meshes::mesh_named("bumpy_sphere").mesh);
     }
 
     QString run(int cancel_from) {
@@ -111,17 +111,17 @@ protected:
 /// All that a filter might leave in a layer.
 struct LayerState {
     explicit LayerState(const CMeshO& mesh)
-        : stamp(meshlab_host::geometryStamp(mesh)),
+        : stamp(meshlab_host::geometry_stamp(mesh)),
           vertex_attributes(mesh.vert_attr.size()),
           mesh_attributes(mesh.mesh_attr.size()),
-          field(meshlab_host::readField(mesh, stamp)) {}
+          field(meshlab_host::read_field(mesh, stamp)) {}
 
     meshlab_host::GeometryStamp stamp;
     std::size_t vertex_attributes, mesh_attributes;
     std::optional<laplacian_lines::Field> field;
 };
 
-void expectSame(const LayerState& a, const LayerState& b) {
+void expect_same(const LayerState& a, const LayerState& b) {
     EXPECT_EQ(a.stamp, b.stamp);
     EXPECT_EQ(a.vertex_attributes, b.vertex_attributes);
     EXPECT_EQ(a.mesh_attributes, b.mesh_attributes);
@@ -133,8 +133,8 @@ void expectSame(const LayerState& a, const LayerState& b) {
 
 TEST_P(FilterProgress, RisesFromTheBeginningToTheEnd) {
     const LayerState before(mesh());
-    ASSERT_EQ(run(never).toStdString(), "");
-    if (GetParam() == Drawing) expectSame(before, LayerState(mesh()));
+    ASSERT_EQ(run(kNever).toStdString(), "");
+    if (GetParam() == Drawing) expect_same(before, LayerState(mesh()));
     ASSERT_GE(record.percents.size(), 5u);
     EXPECT_TRUE(std::is_sorted(record.percents.begin(), record.percents.end()));
     EXPECT_GE(record.percents.front(), 0);
@@ -145,13 +145,13 @@ TEST_P(FilterProgress, RisesFromTheBeginningToTheEnd) {
 TEST_P(FilterProgress, MovesWithEachStepOfAnyWork) {
     // One thread: only the calling one reports.
     const test_meshes::WithThreads scope(1);
-    ASSERT_EQ(run(never).toStdString(), "");
+    ASSERT_EQ(run(kNever).toStdString(), "");
     const std::set<int> from_the_mesh(record.percents.begin(), record.percents.end());
     EXPECT_GE(from_the_mesh.size(), 20u);
     document.setCurrentMesh(0);  // not the lines
     const RichParameterList list = plugin.defaults(Compute, document);
     ASSERT_EQ(plugin.apply(Compute, document, list, nullptr).toStdString(), "");
-    ASSERT_EQ(run(never).toStdString(), "");
+    ASSERT_EQ(run(kNever).toStdString(), "");
     const std::set<int> from_its_attributes(record.percents.begin(), record.percents.end());
     EXPECT_GE(from_its_attributes.size(), 5u);
 }
@@ -162,8 +162,8 @@ TEST_P(FilterProgress, StopsAtOnceAndLeavesNothingBehind) {
         SCOPED_TRACE(percent);
         EXPECT_NE(run(percent).toStdString().find("Cancelled"), std::string::npos);
         EXPECT_EQ(record.calls_after, 0);
-        expectSame(before, LayerState(mesh()));
-        EXPECT_EQ(layerCount(document), 1);
+        expect_same(before, LayerState(mesh()));
+        EXPECT_EQ(layer_count(document), 1);
         EXPECT_FALSE(QFile::exists(drawing()));
     }
 }
@@ -174,7 +174,7 @@ TEST_P(FilterProgress, KeepsEarlierResultsWhenCancelled) {
     const LayerState before(mesh());
     ASSERT_TRUE(before.field);
     EXPECT_NE(run(30).toStdString(), "");
-    expectSame(before, LayerState(mesh()));
+    expect_same(before, LayerState(mesh()));
 }
 
 /// But for MeshLab's own, which it adds.
@@ -192,12 +192,12 @@ TEST_P(FilterProgress, ParametersOfOtherVersionsAreIgnoredAndNamed) {
     EXPECT_EQ(found, 1);
 }
 
-std::string nameOf(const testing::TestParamInfo<FilterNumber>& info) {
+std::string name_of(const testing::TestParamInfo<FilterNumber>& info) {
     const std::array<const char*, 3> names = {"Compute", "Polylines", "Drawing"};
     return names.at(std::size_t(info.param));
 }
 
 INSTANTIATE_TEST_SUITE_P(Filters, FilterProgress, testing::Values(Compute, Polylines, Drawing),
-                         nameOf);
+                         name_of);
 
 }  // namespace

@@ -31,7 +31,7 @@ Eigen::Matrix3d turned() {
     return Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
 }
 
-double volumeOf(const TriangleMesh& mesh) {
+double volume_of(const TriangleMesh& mesh) {
     double volume = 0;
     for (const auto& t : mesh.triangles)
         volume += mesh.positions[t[0]].dot(mesh.positions[t[1]].cross(mesh.positions[t[2]])) / 6;
@@ -51,16 +51,16 @@ double difference(const Vectors& a, const Vectors& b) {
 }
 
 TEST(PlacedMesh, OnlyMovesTurnsAndSizesAreSimilarities) {
-    EXPECT_TRUE(meshlab_host::similarityOf(moved(turned())));
+    EXPECT_TRUE(meshlab_host::similarity_of(moved(turned())));
     const std::optional<meshlab_host::Similarity> twice =
-        meshlab_host::similarityOf(moved(2 * turned()));
+        meshlab_host::similarity_of(moved(2 * turned()));
     ASSERT_TRUE(twice);
     EXPECT_NEAR(twice->factor, 2, 1e-12);
     EXPECT_TRUE(twice->rotation.isApprox(turned(), 1e-12));
-    EXPECT_FALSE(meshlab_host::similarityOf(moved(Eigen::Vector3d(1, 1, 1.01).asDiagonal())));
-    EXPECT_FALSE(meshlab_host::similarityOf(moved(Eigen::Vector3d(1, 1, -1).asDiagonal())));
-    EXPECT_FALSE(meshlab_host::similarityOf(moved(Eigen::Matrix3d::Zero())));
-    EXPECT_FALSE(meshlab_host::similarityOf(moved(Eigen::Matrix3d::Constant(std::nan("")))));
+    EXPECT_FALSE(meshlab_host::similarity_of(moved(Eigen::Vector3d(1, 1, 1.01).asDiagonal())));
+    EXPECT_FALSE(meshlab_host::similarity_of(moved(Eigen::Vector3d(1, 1, -1).asDiagonal())));
+    EXPECT_FALSE(meshlab_host::similarity_of(moved(Eigen::Matrix3d::Zero())));
+    EXPECT_FALSE(meshlab_host::similarity_of(moved(Eigen::Matrix3d::Constant(std::nan("")))));
 }
 
 TEST(PlacedMesh, ItsFieldIsTheOneComputedThere) {
@@ -70,7 +70,7 @@ TEST(PlacedMesh, ItsFieldIsTheOneComputedThere) {
     Field field = laplacian_lines::precompute(mesh, options);
     const Eigen::Matrix4d layer = moved(3 * turned());
     place(layer, mesh);
-    place(*meshlab_host::similarityOf(layer), field);
+    place(*meshlab_host::similarity_of(layer), field);
     EXPECT_TRUE(field.curvature_derivatives.empty());
     laplacian_lines::add_curvature_derivatives(mesh, field);
     const Field expected = laplacian_lines::precompute(mesh, options);
@@ -92,15 +92,15 @@ TEST(PlacedMesh, ItsFieldIsTheOneComputedThere) {
 
 TEST(PlacedLayers, AreMovedWithTheirFields) {
     MeshDocument document;
-    CMeshO& mesh = addLayer(document, "sphere", test_meshes::bumpy_sphere(3).mesh);
+    CMeshO& mesh = add_layer(document, "sphere", test_meshes::bumpy_sphere(3).mesh);
     const laplacian_lines::PrecomputeOptions options;
-    meshlab_host::writeField(
-        mesh, laplacian_lines::precompute(meshlab_host::toTriangleMesh(mesh), options), options,
-        meshlab_host::geometryStamp(mesh));
+    meshlab_host::write_field(
+        mesh, laplacian_lines::precompute(meshlab_host::to_triangle_mesh(mesh), options), options,
+        meshlab_host::geometry_stamp(mesh));
     const RichParameterList list;
     meshlab_host::FilterResults results;
     const auto placed = [&] {
-        PlacedLayers layers = placeLayers(
+        PlacedLayers layers = place_layers(
             {false, false}, {document, list, nullptr, [](const QString&) {}, results}, 1);
         EXPECT_TRUE(layers.at(0).field);
         return layers.at(0);
@@ -113,7 +113,7 @@ TEST(PlacedLayers, AreMovedWithTheirFields) {
     const PlacedLayer there = placed();
     EXPECT_GT(difference(there.mesh.positions, expected.mesh.positions), 0.5);
     place(layer, expected.mesh);
-    place(*meshlab_host::similarityOf(layer), *expected.field);
+    place(*meshlab_host::similarity_of(layer), *expected.field);
     EXPECT_LT(difference(there.mesh.positions, expected.mesh.positions), 1e-5);
     EXPECT_LT(difference(there.field->normals, expected.field->normals), 1e-5);
     EXPECT_LT(difference(there.field->laplacian_normals, expected.field->laplacian_normals), 1e-5);
@@ -122,9 +122,9 @@ TEST(PlacedLayers, AreMovedWithTheirFields) {
 TEST(PlacedMesh, FacesKeepTheirOutside) {
     for (const double side : {1., -1.}) {
         TriangleMesh mesh = test_meshes::bumpy_sphere(3).mesh;
-        const double before = volumeOf(mesh);
+        const double before = volume_of(mesh);
         place(moved(Eigen::Vector3d(1, 2, side).asDiagonal()), mesh);
-        EXPECT_NEAR(volumeOf(mesh), 2 * before, 1e-6 * before);
+        EXPECT_NEAR(volume_of(mesh), 2 * before, 1e-6 * before);
     }
 }
 

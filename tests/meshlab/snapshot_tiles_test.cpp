@@ -10,7 +10,7 @@ using meshlab_host::CameraMatrices;
 using meshlab_host::SnapshotTiles;
 
 /// A tile of n by n, counted from the lower left: its part of a frustum from -1 to 1.
-CameraMatrices tileOf(int n, int column, int row, bool is_orthographic) {
+CameraMatrices tile_of(int n, int column, int row, bool is_orthographic) {
     const double near = 2, far = 9, size = 1.0 / n;
     const double x = (2 * column + 1 - n) * size, y = (2 * row + 1 - n) * size;  // the middle
     CameraMatrices camera;
@@ -31,21 +31,21 @@ CameraMatrices tileOf(int n, int column, int row, bool is_orthographic) {
 class SnapshotTilesTest : public testing::TestWithParam<bool> {
 protected:
     CameraMatrices tile(int n, int column, int row) const {
-        return tileOf(n, column, row, GetParam());
+        return tile_of(n, column, row, GetParam());
     }
 
     /// A whole snapshot, row by row.
-    void expectScaleOfSnapshot(int n) {
+    void expect_scale_of_snapshot(int n) {
         for (int row = 0; row < n; ++row)
             for (int column = 0; column < n; ++column) {
                 EXPECT_EQ(tiles_.scale(tile(n, column, row)), n)
                     << "tile " << column << ", " << row << " of " << n;
-                expectCameraOfPicture(n);
+                expect_camera_of_picture(n);
             }
     }
 
     /// That of a view in the middle which is as large as a tile, the same for all of them.
-    void expectCameraOfPicture(int n) {
+    void expect_camera_of_picture(int n) {
         const Eigen::Matrix4d middle = tiles_.camera().projection;
         EXPECT_TRUE(middle.isApprox(tile(1, 0, 0).projection.cwiseProduct(scaled(n)), 1e-12))
             << middle;
@@ -64,13 +64,13 @@ protected:
 
 TEST_P(SnapshotTilesTest, AreAsManyAsTheSnapshotHas) {
     for (int n : {2, 3, 4, 7})
-        expectScaleOfSnapshot(n);
-    expectScaleOfSnapshot(2);
+        expect_scale_of_snapshot(n);
+    expect_scale_of_snapshot(2);
 }
 
 TEST_P(SnapshotTilesTest, AreOneInAView) {
     EXPECT_EQ(tiles_.scale(tile(1, 0, 0)), 1);
-    expectScaleOfSnapshot(4);
+    expect_scale_of_snapshot(4);
     EXPECT_EQ(tiles_.scale(tile(1, 0, 0)), 1) << "the view after a snapshot";
 }
 

@@ -77,7 +77,7 @@ constexpr FieldColumn field_column(const char* key, const char* help, const char
 }
 
 /// One row per column; attributes, their documentation and all checks of sizes come from it.
-inline constexpr std::array field_columns = {
+inline constexpr std::array kFieldColumns = {
     field_column<&Field::normals>("normals", "unit normal n, smoothed, outward", "",
                                   {{{"ll_normal", 3}}}),
     field_column<&Field::laplacian_normals>("laplacian_normals", "its Laplacian Δn", "1/length²",
@@ -105,9 +105,9 @@ inline bool is_present(const FieldColumn& column, const Field& field) {
 }
 
 /// The rows of a table, by default of all columns, that the field has.
-template <class Columns = decltype(field_columns)>
+template <class Columns = decltype(kFieldColumns)>
 std::vector<FieldColumn> present_columns(const Field& field,
-                                         const Columns& columns = field_columns) {
+                                         const Columns& columns = kFieldColumns) {
     std::vector<FieldColumn> present;
     for (const FieldColumn& column : columns)
         if (is_present(column, field)) present.push_back(column);
@@ -115,8 +115,8 @@ std::vector<FieldColumn> present_columns(const Field& field,
 }
 
 /// Whether every column that is present or required has this many entries.
-template <class Columns = decltype(field_columns)>
-bool has_entries(const Field& field, std::size_t vertices, const Columns& columns = field_columns) {
+template <class Columns = decltype(kFieldColumns)>
+bool has_entries(const Field& field, std::size_t vertices, const Columns& columns = kFieldColumns) {
     for (const FieldColumn& column : columns)
         if (is_present(column, field) && column.size(field) != vertices) return false;
     return true;

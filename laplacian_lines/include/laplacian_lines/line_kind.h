@@ -88,7 +88,7 @@ struct LineKindDescription {
 };
 
 /// One row per kind, in the order of their numbers.
-inline constexpr std::array line_kinds = {
+inline constexpr std::array kLineKinds = {
     LineKindDescription{LineKind::Laplacian, "laplacian_lines", "Laplacian Lines",
                         "Folds and feet of forms: where the Laplacian of the shading is zero.",
                         "Laplacian line", "Laplacian lines", LineGradient::Illumination}
@@ -152,20 +152,20 @@ inline constexpr std::array line_kinds = {
         .of_derivatives()
         .in_color(0x2e7d4f),
 };
-inline constexpr std::size_t line_kind_count = line_kinds.size();
+inline constexpr std::size_t kLineKindCount = kLineKinds.size();
 
 constexpr const LineKindDescription& describe(LineKind kind) {
-    return line_kinds[static_cast<std::size_t>(kind)];
+    return kLineKinds[static_cast<std::size_t>(kind)];
 }
 
 class LineKindSet {
 public:
     constexpr LineKindSet() = default;
-    /// The kinds whose row of line_kinds satisfies `holds`.
+    /// The kinds whose row of kLineKinds satisfies `holds`.
     template <class Holds>
     static constexpr LineKindSet where(const Holds& holds) {
         LineKindSet set;
-        for (const LineKindDescription& row : line_kinds)
+        for (const LineKindDescription& row : kLineKinds)
             set[row.kind] = holds(row);
         return set;
     }
@@ -186,13 +186,13 @@ public:
     bool operator==(const LineKindSet& other) const { return switches_ == other.switches_; }
 
     constexpr bool needs_derivatives() const {
-        for (const LineKindDescription& row : line_kinds)
+        for (const LineKindDescription& row : kLineKinds)
             if (row.needs_derivatives && (*this)[row.kind]) return true;
         return false;
     }
 
 private:
-    std::array<bool, line_kind_count> switches_{};
+    std::array<bool, kLineKindCount> switches_{};
 };
 
 }  // namespace laplacian_lines

@@ -40,7 +40,7 @@ constexpr LineKindSet all_kinds() {
 }
 
 /// Scripts and settings hold the index: new rows come last.
-inline constexpr std::array line_mixtures = {
+inline constexpr std::array kLineMixtures = {
     LineMixture{
         "laplacian_lines", "Outlines and Laplacian Lines", outlines_and({LineKind::Laplacian}), {}},
     LineMixture{"suggestive_contours",

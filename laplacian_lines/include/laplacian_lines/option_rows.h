@@ -68,10 +68,8 @@ OptionRow<Options> text(std::string Options::*member, const char* key, const cha
 template <class Options>
 OptionRow<Options> file(std::string Options::*member, const char* key, const char* label,
                         const char* help, std::vector<const char*> endings) {
-    return {{key, label, help, OptionKind::File, 0, 0, std::move(endings)},
-            nullptr,
-            nullptr,
-            member};
+    return {
+        {key, label, help, OptionKind::File, 0, 0, std::move(endings)}, nullptr, nullptr, member};
 }
 
 /// Position or Direction.

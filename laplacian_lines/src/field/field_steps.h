@@ -109,9 +109,9 @@ void fill_midpoint_derivatives(const PreparedMesh& mesh, Field& field);
 /// Fills Field::smooth_curvatures and curvature_derivatives from the rest of the field alone, so
 /// that it does not matter where that comes from. C is the slope of the linear function, in the
 /// tangent plane, that best fits S of the vertices within 3.4 √h, weighted by mass, nearness and
-/// how they face. The fit cancels what triangle shapes and noise add; docs/measurements.md compares.
-/// With too few vertices: the mean of differences within triangles. S̄ is the value of such a fit,
-/// within 1.4 √h, at the vertex, or S with too few vertices. Borders do not bias it.
+/// how they face. The fit cancels what triangle shapes and noise add; docs/measurements.md
+/// compares. With too few vertices: the mean of differences within triangles. S̄ is the value of
+/// such a fit, within 1.4 √h, at the vertex, or S with too few vertices. Borders do not bias it.
 void fill_curvature_derivatives(const PreparedMesh& mesh, const SpatialTree& tree,
                                 const StageProgress& stage, Field& field);
 

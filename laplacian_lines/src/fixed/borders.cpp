@@ -73,6 +73,6 @@ private:
 
 }  // namespace
 
-const FixedKind borders = fixed_kind<Borders>(LineKind::Border);
+const FixedKind kBorders = fixed_kind<Borders>(LineKind::Border);
 
 }  // namespace laplacian_lines

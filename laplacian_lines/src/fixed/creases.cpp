@@ -248,6 +248,6 @@ private:
 
 }  // namespace
 
-const FixedKind creases = fixed_kind<Creases>(LineKind::Crease);
+const FixedKind kCreases = fixed_kind<Creases>(LineKind::Crease);
 
 }  // namespace laplacian_lines

@@ -152,6 +152,6 @@ private:
 
 }  // namespace
 
-const FixedKind demarcating_curves = fixed_kind<DemarcatingCurves>(LineKind::DemarcatingCurve);
+const FixedKind kDemarcatingCurves = fixed_kind<DemarcatingCurves>(LineKind::DemarcatingCurve);
 
 }  // namespace laplacian_lines

@@ -46,15 +46,15 @@ constexpr FixedKind fixed_kind(LineKind kind) {
         }};
 }
 
-extern const FixedKind ridges;              ///< ridges.cpp
-extern const FixedKind borders;             ///< borders.cpp
-extern const FixedKind creases;             ///< creases.cpp
-extern const FixedKind valleys;             ///< ridges.cpp
-extern const FixedKind demarcating_curves;  ///< demarcating_curves.cpp
+extern const FixedKind kRidges;             ///< ridges.cpp
+extern const FixedKind kBorders;            ///< borders.cpp
+extern const FixedKind kCreases;            ///< creases.cpp
+extern const FixedKind kValleys;            ///< ridges.cpp
+extern const FixedKind kDemarcatingCurves;  ///< demarcating_curves.cpp
 
 constexpr std::size_t kFixedKindCount = 5;
 inline std::array<const FixedKind*, kFixedKindCount> fixed_kinds() {
-    return {&ridges, &borders, &creases, &valleys, &demarcating_curves};
+    return {&kRidges, &kBorders, &kCreases, &kValleys, &kDemarcatingCurves};
 }
 
 /// Found when a style first shows them. Thread-safe.

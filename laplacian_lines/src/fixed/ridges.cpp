@@ -72,7 +72,7 @@ public:
 
 }  // namespace
 
-const FixedKind ridges = fixed_kind<Ridges>(LineKind::Ridge);
-const FixedKind valleys = fixed_kind<Valleys>(LineKind::Valley);
+const FixedKind kRidges = fixed_kind<Ridges>(LineKind::Ridge);
+const FixedKind kValleys = fixed_kind<Valleys>(LineKind::Valley);
 
 }  // namespace laplacian_lines

@@ -63,9 +63,9 @@ void check_indices(const TriangleMesh& mesh) {
     for (const Triangle& t : mesh.triangles)
         for (const std::uint32_t v : t)
             if (v >= count)
-                throw Error(ErrorCode::InvalidMesh,
-                            "A triangle uses vertex " + std::to_string(v) + ", but the mesh has " +
-                                std::to_string(count) + " vertices.");
+                throw Error(ErrorCode::InvalidMesh, "A triangle uses vertex " + std::to_string(v) +
+                                                        ", but the mesh has " +
+                                                        std::to_string(count) + " vertices.");
 }
 
 std::vector<Triangle> usable_triangles(const Positions& positions,

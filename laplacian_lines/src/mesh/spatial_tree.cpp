@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "mesh/bounding_box.h"
-#include "system/parallel.h"
 #include "system/large_array.h"
+#include "system/parallel.h"
 
 namespace laplacian_lines {
 namespace {

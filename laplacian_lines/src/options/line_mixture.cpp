@@ -9,7 +9,7 @@
 namespace laplacian_lines {
 namespace {
 
-const char* const usual = "usual";
+const char* const kUsual = "usual";
 
 /// Case, blanks and underscores do not matter.
 std::string essence(const std::string& name) {
@@ -29,9 +29,9 @@ auto* row_named(const Table& table, const std::string& name) {
 }
 
 std::optional<LineKindSet> kinds_of(const std::string& name) {
-    if (essence(name) == usual) return LineKindSet::defaults();
+    if (essence(name) == kUsual) return LineKindSet::defaults();
     if (const LineMixture* mixture = mixture_named(name)) return mixture->kinds;
-    if (const LineKindDescription* kind = row_named(line_kinds, name))
+    if (const LineKindDescription* kind = row_named(kLineKinds, name))
         return outlines_and({kind->kind});
     return std::nullopt;
 }
@@ -39,7 +39,7 @@ std::optional<LineKindSet> kinds_of(const std::string& name) {
 }  // namespace
 
 const LineMixture* mixture_named(const std::string& name) {
-    return row_named(line_mixtures, name);
+    return row_named(kLineMixtures, name);
 }
 
 std::optional<LineKindSet> kinds_named(const std::string& names) {
@@ -58,13 +58,13 @@ std::optional<LineKindSet> kinds_named(const std::string& names) {
 
 std::string names_of_kinds() {
     std::set<std::string> listed;
-    std::string result = usual;
+    std::string result = kUsual;
     const auto list = [&](const std::string& key) {
         if (listed.insert(key).second) result += ", " + key;
     };
-    for (const LineMixture& mixture : line_mixtures)
+    for (const LineMixture& mixture : kLineMixtures)
         list(mixture.key);
-    for (const LineKindDescription& kind : line_kinds)
+    for (const LineKindDescription& kind : kLineKinds)
         list(kind.key);
     return result;
 }

@@ -22,13 +22,13 @@ double finite_or_zero(float v) {
 void LinePartFinder::find(const LineRules& rules, const std::vector<LinePiece>& pieces,
                           bool closed) {
     closed_ = closed;
-    addUp(pieces);
+    add_up(pieces);
     const double reach = rules.cut_by_convex() ? kAveraging : kAveragingUncut;
     judge(rules, reach * std::max(double(rules.kernel_size), kLeastKernel));
-    collectParts();
+    collect_parts();
 }
 
-void LinePartFinder::addUp(const std::vector<LinePiece>& pieces) {
+void LinePartFinder::add_up(const std::vector<LinePiece>& pieces) {
     pieces_ = pieces.size();
     offset_ = closed_ ? pieces_ : 0;
     sums_.resize((closed_ ? 3 : 1) * pieces_ + 1);
@@ -78,7 +78,7 @@ void LinePartFinder::judge(const LineRules& rules, double reach) {
     }
 }
 
-void LinePartFinder::collectParts() {
+void LinePartFinder::collect_parts() {
     parts_.clear();
     const auto is_seen = [&](std::size_t piece) {
         return seen_[piece] > 0 || seen_[piece + 1] > 0;

@@ -43,9 +43,9 @@ private:
         double length, slope, gradient, concave;
     };
 
-    void addUp(const std::vector<LinePiece>& pieces);
+    void add_up(const std::vector<LinePiece>& pieces);
     void judge(const LineRules& rules, double reach);
-    void collectParts();
+    void collect_parts();
 
     std::size_t pieces_ = 0;
     bool closed_ = false;

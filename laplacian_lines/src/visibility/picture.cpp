@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double cross(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
     return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
@@ -74,7 +74,7 @@ Backing Picture::look(const Vector3d& point, const SightMesh::Side* own, std::si
     // seen along their planes, thousands of triangles are behind it.
     const auto column = [&] {
         return box_outside<3>({Vector3d(at.x(), at.y(), behind(at.z(), result.gap)),
-                               Vector3d(at.x(), at.y(), infinity)});
+                               Vector3d(at.x(), at.y(), kInfinity)});
     };
     Eigen::AlignedBox3f box = column();
     const auto is_before = [&](std::uint32_t triangle) {

@@ -94,7 +94,7 @@ private:
         if (options_.in_picture && piece.is_outline) return -1;
         const SightSegment& segment = segment_of(half);
         const bool is_outline = describe(segment.kind).is_outline;
-        if (is_outline && !segment.divides) return 2 * int(line_kind_count) + piece.is_hidden;
+        if (is_outline && !segment.divides) return 2 * int(kLineKindCount) + piece.is_hidden;
         const int kind = options_.in_picture && is_outline ? 0 : int(segment.kind);
         return 2 * kind + piece.is_hidden;
     }

@@ -16,20 +16,21 @@ namespace line_drawing {
 /// scale, laid out on paper. Any number of threads gives the same sheet.
 /// @throws laplacian_lines::Error: InvalidOption, also if the drawing does not fit its paper at its
 /// scale; InvalidMesh, EmptyMesh, FieldMismatch, Cancelled.
-Sheet makeSheet(const laplacian_lines::TriangleMesh& mesh, const laplacian_lines::Field& field,
-                const SheetOptions& options, const laplacian_lines::Progress& progress = {});
+Sheet make_sheet(const laplacian_lines::TriangleMesh& mesh, const laplacian_lines::Field& field,
+                 const SheetOptions& options, const laplacian_lines::Progress& progress = {});
 
 /// Several drawings of one scene, which is prepared once. Its objects hide each other and share a
 /// coordinate system, bounds and sections; each has its own lines.
-std::vector<Sheet> makeSheets(const Objects& objects, const std::vector<SheetOptions>& options,
-                              const laplacian_lines::Progress& progress = {});
+std::vector<Sheet> make_sheets(const Objects& objects, const std::vector<SheetOptions>& options,
+                               const laplacian_lines::Progress& progress = {});
 
 /// Puts areas of the shape of letters in place of all texts.
-void outlineTexts(Sheet& sheet);
+void outline_texts(Sheet& sheet);
 
 /// Options for one mesh of a contact sheet: its first view, small, no furniture; the title is its
 /// size.
-SheetOptions contactOptions(const laplacian_lines::TriangleMesh& mesh, const SheetOptions& options);
+SheetOptions contact_options(const laplacian_lines::TriangleMesh& mesh,
+                             const SheetOptions& options);
 
 struct ContactEntry {
     std::string name;
@@ -37,6 +38,6 @@ struct ContactEntry {
 };
 
 /// One page with all views in equal squares, name and size below each.
-Sheet makeContactSheet(const std::vector<ContactEntry>& entries, const std::string& title);
+Sheet make_contact_sheet(const std::vector<ContactEntry>& entries, const std::string& title);
 
 }  // namespace line_drawing

@@ -25,6 +25,6 @@ struct Object {
 using Objects = std::vector<Object>;
 
 /// Of the triangles' vertices that are finite.
-Eigen::AlignedBox3d boundsOf(const laplacian_lines::TriangleMesh& mesh);
+Eigen::AlignedBox3d bounds_of(const laplacian_lines::TriangleMesh& mesh);
 
 }  // namespace line_drawing

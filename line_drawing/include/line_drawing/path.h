@@ -23,15 +23,15 @@ struct Path {
     std::vector<Piece> pieces = {};  ///< each line begins with Move
     FillRule fill_rule = FillRule::EvenOdd;
 
-    bool isEmpty() const { return pieces.empty(); }
-    void moveTo(const Point& p);
-    /// Like curveTo(), adds nothing if the line is there already.
-    void lineTo(const Point& p);
-    void curveTo(const Point& first, const Point& second, const Point& end);
+    bool is_empty() const { return pieces.empty(); }
+    void move_to(const Point& p);
+    /// Like curve_to(), adds nothing if the line is there already.
+    void line_to(const Point& p);
+    void curve_to(const Point& first, const Point& second, const Point& end);
     /// Straight.
     void close();
-    void addRectangle(const Point& corner, double width, double height);
-    void addCircle(const Point& center, double radius);
+    void add_rectangle(const Point& corner, double width, double height);
+    void add_circle(const Point& center, double radius);
 
     Path placed(double scale, const Point& shift) const;
     Eigen::AlignedBox2d bounds() const;  ///< exact, also of curves

@@ -50,7 +50,7 @@ struct SheetGroup {
 
 /// Calls mark(path or text, its group, its layer) in the order in which they are drawn.
 template <class Mark>
-void forEachMark(const std::vector<SheetGroup>& groups, const Mark& mark) {
+void for_each_mark(const std::vector<SheetGroup>& groups, const Mark& mark) {
     for (const SheetGroup& group : groups)
         for (const SheetLayer& layer : group.layers) {
             for (const SheetPath& path : layer.paths)
@@ -68,7 +68,7 @@ struct Sheet {
     /// √h of the inner lines in mm of the sheet; 0: there are none, or the mesh is too coarse for
     /// any.
     double kernel = 0;
-    std::string provenance = {};  ///< metadata of files, as provenanceText() has it; empty: none
+    std::string provenance = {};  ///< metadata of files, as provenance_text() has it; empty: none
     std::vector<std::string> remarks = {};  ///< what is to be said of the drawing besides
 };
 

@@ -18,29 +18,29 @@ struct SheetChoices {
     std::string views = "front", sections, scale = "fit";
     std::string title;  ///< empty: none
     std::string kinds = "usual", kernel = "auto", smoothing = "auto";
-    int paper = 1;  ///< of paperNames(), and one more: as large as the drawing
-    int unit = 0;   ///< of mesh_units
+    int paper = 1;  ///< of paper_names(), and one more: as large as the drawing
+    int unit = 0;   ///< of kMeshUnits
     Weights weights = Weights::Illustrator;
     bool is_of_all_layers = false;  ///< the visible ones
-    int settings = 0;               ///< see settingsNames()
+    int settings = 0;               ///< see settings_names()
     double detail = 50;             ///< as of LineStyle
     bool draws_damaged = false;     ///< files that are not whole
     double dpi = 300;               ///< of PNG
-    int format = 1;                 ///< of drawings in a folder: PDF of sheet_formats
+    int format = 1;                 ///< of drawings in a folder: PDF of kSheetFormats
 };
 
 struct MeshUnit {
     const char* name;
     double mm;
 };
-inline constexpr MeshUnit mesh_units[] = {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}};
+inline constexpr MeshUnit kMeshUnits[] = {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}};
 
 /// The filters' choice "Settings": the filter's own, those of the decoration, then one mixture of
 /// kinds each. Scripts hold the number.
-constexpr int settings_of_decoration = 1;
-std::vector<const char*> settingsNames(std::vector<const char*> own);
+constexpr int kSettingsOfDecoration = 1;
+std::vector<const char*> settings_names(std::vector<const char*> own);
 /// Null for the first two.
-const laplacian_lines::LineMixture* mixtureAt(int settings);
+const laplacian_lines::LineMixture* mixture_at(int settings);
 
 /// An option of measured drawings, with the default of SheetChoices.
 struct SheetOption {
@@ -52,15 +52,15 @@ struct SheetOption {
     /// The command's words for a switch, off and on. Choices go by the first words of their labels,
     /// in lower case.
     std::vector<const char*> switch_words = {};
-    const char* form = "";                      ///< placeholder for a text in the command's help
+    const char* form = "";  ///< placeholder for a text in the command's help
     /// The command's name for it, without --; null: the key.
     const char* command_word = nullptr;
     bool adds_up = false;  ///< the command takes several
 
-    bool isOf(Place one) const { return place == Place::Both || place == one; }
+    bool is_of(Place one) const { return place == Place::Both || place == one; }
     std::string command() const;  ///< "--paper"
     Words words() const;          ///< of the command; none if anything may be written
-    std::string valueIn(const SheetChoices& choices) const;  ///< as the command writes it
+    std::string value_in(const SheetChoices& choices) const;  ///< as the command writes it
     /// Reads the command's value. @throws laplacian_lines::Error(InvalidOption) that says what is
     /// allowed
     void read(const std::string& word, SheetChoices& choices) const;
@@ -68,23 +68,23 @@ struct SheetOption {
 
 /// In the order of the dialog. Command line, help, the filter's parameters and dialog are made from
 /// it; the example of a script is checked against it.
-const std::vector<SheetOption>& sheetOptionTable();
+const std::vector<SheetOption>& sheet_option_table();
 
 /// By the command's name, such as "--paper"; null if there is none.
-const SheetOption* commandOption(const std::string& command);
+const SheetOption* command_option(const std::string& command);
 
 /// Reads pairs of option and value. Without views, those of the sections, or else the usual ones.
 /// @throws laplacian_lines::Error(InvalidOption)
-SheetChoices readChoices(const Words& words);
+SheetChoices read_choices(const Words& words);
 
 /// Puts the names of meshes, without extensions, in place of {name}.
-std::string titleOf(std::string title, const Words& names);
+std::string title_of(std::string title, const Words& names);
 
 /// The command's help.
-std::string sheetOptionsHelp();
+std::string sheet_options_help();
 
 /// Parses the choices; `others` are the program's own views.
 /// @throws laplacian_lines::Error(InvalidOption) that says what is allowed
-SheetOptions sheetOptions(const SheetChoices& choices, const NamedViews& others = {});
+SheetOptions sheet_options(const SheetChoices& choices, const NamedViews& others = {});
 
 }  // namespace line_drawing

@@ -18,23 +18,23 @@ struct SheetFormat {
     bool has_any_letter;       ///< of the reader's font, not of ours
     bool has_tapered_strokes;  ///< DXF readers draw even widths
 };
-extern const std::array<SheetFormat, 4> sheet_formats;
+extern const std::array<SheetFormat, 4> kSheetFormats;
 
 /// ".svg, .pdf, .dxf or .png", of all formats.
-std::string endingsInWords(const char* between, const char* last);
+std::string endings_in_words(const char* between, const char* last);
 
 /// By the extension. @throws laplacian_lines::Error(InvalidOption) if it is unknown
-const SheetFormat& formatOf(const std::string& file);
+const SheetFormat& format_of(const std::string& file);
 
 /// The bytes of such a file at true scale, PNG at `dpi` dots per inch; a function of the sheet
-/// alone. @throws laplacian_lines::Error(InvalidOption) as formatOf(), and if the picture would be
+/// alone. @throws laplacian_lines::Error(InvalidOption) as format_of(), and if the picture would be
 /// too large, with what to do instead
-std::string writeSheet(const Sheet& sheet, const std::string& file, double dpi = 300);
+std::string write_sheet(const Sheet& sheet, const std::string& file, double dpi = 300);
 
 /// Whether the file can have the letters of title and source, asked before the work begins.
 /// @returns a remark if letters of the source become boxes
 /// @throws laplacian_lines::Error(InvalidOption) if the title's do, with what to do instead
-std::vector<std::string> checkTexts(const SheetOptions& options, const std::string& file);
+std::vector<std::string> check_texts(const SheetOptions& options, const std::string& file);
 
 struct SourceMesh {
     std::string name;    ///< of its file, without folders
@@ -44,13 +44,13 @@ struct SourceMesh {
 /// What a sheet was made of, for the metadata of its file: this version, the meshes and the
 /// command's options as given, if any. One line of ASCII without <, > and &, so that any format
 /// takes it.
-std::string provenanceText(const std::vector<SourceMesh>& meshes,
-                           const std::optional<Words>& options = {});
+std::string provenance_text(const std::vector<SourceMesh>& meshes,
+                            const std::optional<Words>& options = {});
 
 /// That of a file's bytes, with what follows; empty: there is none.
-std::string provenanceIn(std::string bytes);
+std::string provenance_in(std::string bytes);
 
 /// Whether the bytes are of a file that says it was drawn of other meshes.
-bool isOfOthers(const std::string& bytes, const std::vector<SourceMesh>& meshes);
+bool is_of_others(const std::string& bytes, const std::vector<SourceMesh>& meshes);
 
 }  // namespace line_drawing

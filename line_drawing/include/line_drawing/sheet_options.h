@@ -45,18 +45,18 @@ enum class LineClass {
     Section,  ///< where a section cuts the surface
     Hidden    ///< outlines, borders and creases behind the surface, dashed
 };
-constexpr std::size_t line_class_count = 7;
+constexpr std::size_t kLineClassCount = 7;
 
 /// Widths in mm, by LineClass.
-using Pens = std::array<double, line_class_count>;
+using Pens = std::array<double, kLineClassCount>;
 
-constexpr Pens pensOf(Weights weights) {
+constexpr Pens pens_of(Weights weights) {
     if (weights == Weights::Iso) return {0.5, 0.5, 0.5, 0.25, 0.25, 0.5, 0.25};
     return {0.5, 0.35, 0.25, 0.25, 0.13, 0.35, 0.18};
 }
 
 /// Lines on paper are traced whole.
-inline laplacian_lines::LineStyle styleOnPaper(laplacian_lines::LineStyle style = {}) {
+inline laplacian_lines::LineStyle style_on_paper(laplacian_lines::LineStyle style = {}) {
     style.whole_lines = true;
     style.least_concavity = -1;
     return style;
@@ -93,7 +93,7 @@ struct SheetOptions : SheetLook {
     double mm_per_unit = 1;    ///< true length of a unit of the mesh
     std::string paper = "a4";  ///< a5 to a0, or "fit": as large as the drawing
     /// Drawings of less than 40 mm have finer ones.
-    Pens pens = pensOf(Weights::Illustrator);
+    Pens pens = pens_of(Weights::Illustrator);
     /// √h of the inner lines. 0: four inner pens, by style.detail twice to half as much, as far as
     /// the mesh has the detail.
     DetailSize kernel;
@@ -101,24 +101,24 @@ struct SheetOptions : SheetLook {
     DetailSize smoothing;
     std::string title;   ///< empty: none
     std::string source;  ///< name of the file of the object; empty: none
-    laplacian_lines::LineStyle style = styleOnPaper();
+    laplacian_lines::LineStyle style = style_on_paper();
     /// Towards a distant light for the Laplacian lines, in each view: x right, y up, z to the
     /// viewer. Without one it is at the eye.
     std::optional<Eigen::Vector3d> light;
 };
 
 /// "a5" to "a0".
-std::vector<const char*> paperNames();
+std::vector<const char*> paper_names();
 
 /// From "1:2", "2:1" or "fit" (0). @throws laplacian_lines::Error(InvalidOption)
-double parseScale(std::string_view text);
+double parse_scale(std::string_view text);
 /// From "auto", "1mm" (on paper), "0.9%". @throws laplacian_lines::Error(InvalidOption)
-DetailSize parseDetailSize(std::string_view text);
+DetailSize parse_detail_size(std::string_view text);
 /// "1:2" for 0.5.
-std::string scaleInWords(double scale);
+std::string scale_in_words(double scale);
 /// "50.0 × 20.0 × 1.00 mm", or in µm, m, km.
-std::string sizeInWords(const Eigen::Vector3d& mm, const char* times = " × ");
+std::string size_in_words(const Eigen::Vector3d& mm, const char* times = " × ");
 /// "1", "0.85" or "230", of mm on paper.
-std::string kernelInWords(double mm);
+std::string kernel_in_words(double mm);
 
 }  // namespace line_drawing

@@ -30,18 +30,18 @@ struct ViewFrame {
 };
 
 /// From the picture, x right, y up, z to the viewer, to mesh coordinates.
-Eigen::Vector3d inMesh(const Eigen::Vector3d& direction, const ViewFrame& frame);
+Eigen::Vector3d in_mesh(const Eigen::Vector3d& direction, const ViewFrame& frame);
 
 /// "Front" to "Bottom", in the order of Side.
-std::array<const char*, 6> sideNames();
+std::array<const char*, 6> side_names();
 
 /// As seen by an observer who walks around the upright object; the object's front is at the lower
 /// edge of the top view and at the upper edge of the bottom view.
-ViewFrame frameOfSide(Side side, UpAxis up);
+ViewFrame frame_of_side(Side side, UpAxis up);
 
 /// From the front by `azimuth` degrees to the right around the object and `elevation` degrees up,
 /// −90 to 90. @throws laplacian_lines::Error(InvalidOption)
-ViewFrame frameOfDirection(double azimuth, double elevation, UpAxis up);
+ViewFrame frame_of_direction(double azimuth, double elevation, UpAxis up);
 
 /// A plane across an axis of the mesh.
 struct Section {
@@ -51,24 +51,24 @@ struct Section {
 
 /// From names such as "y=0.5", separated by commas or spaces.
 /// @throws laplacian_lines::Error(InvalidOption)
-std::vector<Section> parseSections(std::string_view text);
+std::vector<Section> parse_sections(std::string_view text);
 
 /// "A", "B", ..., "Z", "AA", ...
-std::string letterOf(std::size_t number);
+std::string letter_of(std::size_t number);
 
 /// Looks along the section's axis: from above, from the front or from the left.
-ViewFrame frameOfSection(const Section& section, UpAxis up);
+ViewFrame frame_of_section(const Section& section, UpAxis up);
 
 /// For any view: "toward", the direction to the viewer, that of the picture's upper edge and, in
 /// perspective, "from" and the eye, all in mesh coordinates.
-std::string frameInWords(const ViewFrame& frame);
+std::string frame_in_words(const ViewFrame& frame);
 
 /// A program's own views.
 using NamedViews = std::map<std::string, ViewFrame>;
 
 /// From names separated by commas or spaces: front, back, left, right, top, bottom, six (all of
-/// these), vessel, azimuth and elevation, frameInWords(), or names in `others`.
+/// these), vessel, azimuth and elevation, frame_in_words(), or names in `others`.
 /// @throws laplacian_lines::Error(InvalidOption) that says what is understood
-std::vector<ViewFrame> parseViews(std::string_view text, UpAxis up, const NamedViews& others = {});
+std::vector<ViewFrame> parse_views(std::string_view text, UpAxis up, const NamedViews& others = {});
 
 }  // namespace line_drawing

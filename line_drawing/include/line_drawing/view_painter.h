@@ -38,7 +38,7 @@ struct PaintedView {
     bool is_final = true;  ///< the kernel is that of the view
 };
 
-/// Paints objects as makeSheets() draws a view of them, for window after window: what hides lines
+/// Paints objects as make_sheets() draws a view of them, for window after window: what hides lines
 /// is prepared once; lines within faces for each kernel, and kept. One thread at a time.
 class ViewPainter {
 public:

@@ -12,9 +12,9 @@
 namespace line_drawing {
 
 /// Length of the longer side of a view on paper, mm, where none is asked for: most of A4.
-constexpr double usual_view_size = 200;
+constexpr double kUsualViewSize = 200;
 
-/// The strokes of a view as makeSheet() draws it with this size on paper, mm of its longer side,
+/// The strokes of a view as make_sheet() draws it with this size on paper, mm of its longer side,
 /// back in space: joined, thinned out, smooth. Each point is as deep as the line that it comes
 /// from, so strokes end where one line goes on behind another. Weights are shares of the width of
 /// outlines, contours or inner lines, as the stroke is one; opacities are 1; points have no nodes.
@@ -22,9 +22,9 @@ constexpr double usual_view_size = 200;
 /// scale, paper and furniture do not matter.
 /// @throws laplacian_lines::Error: Cancelled; InvalidOption if the eye is inside the surface or
 /// sees nothing; InvalidMesh, EmptyMesh, FieldMismatch
-std::vector<laplacian_lines::SightLine> strokesOf(const Objects& objects, const ViewFrame& frame,
-                                                  SheetOptions options,
-                                                  const laplacian_lines::Progress& progress = {},
-                                                  double size = usual_view_size);
+std::vector<laplacian_lines::SightLine> strokes_of(const Objects& objects, const ViewFrame& frame,
+                                                   SheetOptions options,
+                                                   const laplacian_lines::Progress& progress = {},
+                                                   double size = kUsualViewSize);
 
 }  // namespace line_drawing

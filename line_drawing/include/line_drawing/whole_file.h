@@ -9,10 +9,10 @@ namespace line_drawing {
 /// writes into devices and pipes, never replaces them.
 /// @throws laplacian_lines::Error(InvalidOption) naming file and reason; an existing file is as it
 /// was, and nothing is left beside it
-void writeWhole(const std::string& file, const std::string& data);
+void write_whole(const std::string& file, const std::string& data);
 
 /// Whether the file could be written now, asked before the work begins. Writes nothing.
 /// @throws laplacian_lines::Error(InvalidOption)
-void checkWritable(const std::string& file);
+void check_writable(const std::string& file);
 
 }  // namespace line_drawing

@@ -18,29 +18,29 @@ using laplacian_lines::refuse;
 using Words = std::vector<std::string>;
 
 /// Split at commas, semicolons or spaces.
-Words wordsOf(std::string_view text);
+Words words_of(std::string_view text);
 std::string joined(const Words& words, const char* between);
 
 std::string lower(std::string text);
 std::string upper(std::string text);
 std::string_view trimmed(std::string_view text);
-bool endsWith(std::string_view text, std::string_view end);
+bool ends_with(std::string_view text, std::string_view end);
 
 /// Of a text that is a number and nothing else but blanks around it.
-std::optional<double> numberIn(std::string_view text);
+std::optional<double> number_in(std::string_view text);
 /// The shortest form with so many significant digits: "0.5", "1e+06".
-std::string inDigits(double x, int digits = 6);
-std::string inDecimals(double x, int decimals);
+std::string in_digits(double x, int digits = 6);
+std::string in_decimals(double x, int decimals);
 /// The shortest form: "-.05".
 std::string thousandths(std::int64_t number);
-std::string inThousandths(double x);
+std::string in_thousandths(double x);
 /// Four digits: "00AB".
-std::string inHexadecimal(char32_t number);
+std::string in_hexadecimal(char32_t number);
 
 /// U+FFFD stands for invalid bytes.
-std::u32string lettersOf(std::string_view text);
-std::string inUtf8(std::u32string_view letters);
+std::u32string letters_of(std::string_view text);
+std::string in_utf8(std::u32string_view letters);
 /// Any text without line breaks and other control characters.
-std::string oneLine(std::string_view text);
+std::string one_line(std::string_view text);
 
 }  // namespace line_drawing

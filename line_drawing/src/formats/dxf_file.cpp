@@ -9,21 +9,21 @@
 namespace line_drawing {
 namespace {
 
-constexpr double tolerance = 0.01;  // of polylines to curves, mm
+constexpr double kTolerance = 0.01;  // of polylines to curves, mm
 
 /// AutoCAD's colour numbers by keys of layers, to tell layers apart on the screen.
-const std::map<std::string, std::string> colors = {
+const std::map<std::string, std::string> kColors = {
     {"outline", "7"}, {"contour", "3"}, {"edge", "5"},    {"inner", "4"},
     {"fine", "8"},    {"hidden", "2"},  {"section", "1"}, {"marks", "6"},
     {"area", "9"},    {"names", "30"},  {"scale", "40"},  {"title", "50"}};
 
-constexpr std::size_t comment_length = 250;  // R12 has at most 255 characters in a line
-const char* const furniture_key = "sheet";
+constexpr std::size_t kCommentLength = 250;  // R12 has at most 255 characters in a line
+const char* const kFurnitureKey = "sheet";
 
 /// As R12 allows: letters, digits, - and _.
-std::string inSigns(const std::string& name) {
+std::string in_signs(const std::string& name) {
     std::string signs;
-    for (const char32_t c : lettersOf(upper(name)))
+    for (const char32_t c : letters_of(upper(name)))
         signs += (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ? char(c) : '-';
     return signs;
 }
@@ -33,17 +33,17 @@ public:
     explicit DxfWriter(const Sheet& sheet) : sheet_(sheet) {
         for (const SheetGroup& group : sheet.groups)
             for (const SheetLayer& layer : group.layers)
-                note(nameOf(group, layer), layer);
+                note(name_of(group, layer), layer);
     }
 
     std::string write() {
-        for (std::size_t i = 0; i < sheet_.provenance.size(); i += comment_length)
-            write({{999, sheet_.provenance.substr(i, comment_length)}});
-        writeHeader();
-        writeLayers();
+        for (std::size_t i = 0; i < sheet_.provenance.size(); i += kCommentLength)
+            write({{999, sheet_.provenance.substr(i, kCommentLength)}});
+        write_header();
+        write_layers();
         write({{0, "SECTION"}, {2, "ENTITIES"}});
-        forEachMark(sheet_.groups, [&](const auto& mark, const auto& group, const auto& layer) {
-            writeMark(mark, nameOf(group, layer));
+        for_each_mark(sheet_.groups, [&](const auto& mark, const auto& group, const auto& layer) {
+            write_mark(mark, name_of(group, layer));
         });
         write({{0, "ENDSEC"}, {0, "EOF"}});
         return data_;
@@ -56,12 +56,12 @@ private:
     };
 
     /// With the view's name, if there are several.
-    std::string nameOf(const SheetGroup& group, const SheetLayer& layer) const {
+    std::string name_of(const SheetGroup& group, const SheetLayer& layer) const {
         const auto views =
             std::count_if(sheet_.groups.begin(), sheet_.groups.end(),
-                          [](const SheetGroup& other) { return other.key != furniture_key; });
-        const bool is_one_of_many = views > 1 && group.key != furniture_key;
-        return (is_one_of_many ? inSigns(group.key) + '_' : "") + inSigns(layer.key);
+                          [](const SheetGroup& other) { return other.key != kFurnitureKey; });
+        const bool is_one_of_many = views > 1 && group.key != kFurnitureKey;
+        return (is_one_of_many ? in_signs(group.key) + '_' : "") + in_signs(layer.key);
     }
 
     void note(const std::string& name, const SheetLayer& layer) {
@@ -72,8 +72,8 @@ private:
                 if (known.dash == 0) known.dash = dash;
                 return;
             }
-        const auto color = colors.find(layer.key);
-        layers_.push_back({name, color == colors.end() ? "7" : color->second, dash});
+        const auto color = kColors.find(layer.key);
+        layers_.push_back({name, color == kColors.end() ? "7" : color->second, dash});
     }
 
     /// Codes and what they announce, a line each.
@@ -81,27 +81,27 @@ private:
         for (const auto& [code, value] : groups)
             data_ += std::to_string(code) + '\n' + value + '\n';
     }
-    static std::string number(double value) { return inDecimals(value, 4); }
-    void writePoint(int code, const Eigen::Vector2d& p) {
+    static std::string number(double value) { return in_decimals(value, 4); }
+    void write_point(int code, const Eigen::Vector2d& p) {
         write({{code, number(p.x())},
                {code + 10, number(sheet_.size.y() - p.y())},
                {code + 20, number(0)}});
     }
 
-    void writeHeader() {
+    void write_header() {
         write({{0, "SECTION"}, {2, "HEADER"}, {9, "$ACADVER"}, {1, "AC1009"}});
         write({{9, "$INSUNITS"}, {70, "4"}, {9, "$EXTMIN"}});  // millimetres
-        writePoint(10, {0, sheet_.size.y()});
+        write_point(10, {0, sheet_.size.y()});
         write({{9, "$EXTMAX"}});
-        writePoint(10, {sheet_.size.x(), 0});
+        write_point(10, {sheet_.size.x(), 0});
         write({{0, "ENDSEC"}});
     }
 
-    void writeLayers() {
+    void write_layers() {
         write({{0, "SECTION"}, {2, "TABLES"}, {0, "TABLE"}, {2, "LTYPE"}, {70, "2"}});
         write({{0, "LTYPE"}, {2, "CONTINUOUS"}, {70, "0"}, {3, "Solid line"}});
         write({{72, "65"}, {73, "0"}, {40, number(0)}});
-        writeDashes();
+        write_dashes();
         const std::string count = std::to_string(layers_.size());
         write({{0, "ENDTAB"}, {0, "TABLE"}, {2, "LAYER"}, {70, count}});
         for (const Layer& layer : layers_) {
@@ -111,7 +111,7 @@ private:
         write({{0, "ENDTAB"}, {0, "ENDSEC"}});
     }
 
-    void writeDashes() {
+    void write_dashes() {
         double dash = 0;
         for (const Layer& layer : layers_)
             dash = std::max(dash, layer.dash);
@@ -120,29 +120,29 @@ private:
         write({{73, "2"}, {40, number(1.5 * dash)}, {49, number(dash)}, {49, number(-dash / 2)}});
     }
 
-    void writeMark(const SheetPath& path, const std::string& layer) {
-        for (const auto& line : path.path.flattened(tolerance))
-            if (line.size() > 1) writePolyline(line, layer);
+    void write_mark(const SheetPath& path, const std::string& layer) {
+        for (const auto& line : path.path.flattened(kTolerance))
+            if (line.size() > 1) write_polyline(line, layer);
     }
 
-    void writePolyline(const std::vector<Eigen::Vector2d>& points, const std::string& layer) {
+    void write_polyline(const std::vector<Eigen::Vector2d>& points, const std::string& layer) {
         const bool closed = points.size() > 2 && points.front() == points.back();
         write({{0, "POLYLINE"}, {8, layer}, {66, "1"}});
-        writePoint(10, {0, sheet_.size.y()});
+        write_point(10, {0, sheet_.size.y()});
         write({{70, closed ? "1" : "0"}});
         for (std::size_t i = 0; i < points.size() - std::size_t(closed); ++i) {
             write({{0, "VERTEX"}, {8, layer}});
-            writePoint(10, points[i]);
+            write_point(10, points[i]);
         }
         write({{0, "SEQEND"}, {8, layer}});
     }
 
     /// %% begins a code, and %%% is a percent sign, needed only beside another or a code. Codes of
     /// letters have four digits: those beyond, such as emoji, become "?".
-    static std::string inLetters(const std::string& text) {
+    static std::string in_letters(const std::string& text) {
         const std::map<char32_t, std::string> codes = {
             {U'\u00b0', "%%d"}, {U'\u2300', "%%c"}, {U'\u00b1', "%%p"}};
-        const std::u32string all = lettersOf(text);
+        const std::u32string all = letters_of(text);
         const auto begins_code = [&](std::size_t i) {
             return i < all.size() && (all[i] == '%' || codes.count(all[i]) > 0);
         };
@@ -158,20 +158,20 @@ private:
             else if (c < 128)
                 letters += c < ' ' ? ' ' : char(c);
             else if (c < 0x10000)
-                letters += "\\U+" + inHexadecimal(c);
+                letters += "\\U+" + in_hexadecimal(c);
             else
                 letters += '?';
         }
         return letters;
     }
 
-    void writeMark(const SheetText& text, const std::string& layer) {
+    void write_mark(const SheetText& text, const std::string& layer) {
         write({{0, "TEXT"}, {8, layer}});
-        writePoint(10, text.position);
-        write({{40, number(text.height * 0.7)}, {1, inLetters(text.text)}});  // of capital letters
+        write_point(10, text.position);
+        write({{40, number(text.height * 0.7)}, {1, in_letters(text.text)}});  // of capital letters
         if (text.anchor == TextAnchor::Left) return;
         write({{72, text.anchor == TextAnchor::Middle ? "1" : "2"}});
-        writePoint(11, text.position);
+        write_point(11, text.position);
     }
 
     const Sheet& sheet_;
@@ -181,7 +181,7 @@ private:
 
 }  // namespace
 
-std::string writeDxf(const Sheet& sheet, double) {
+std::string write_dxf(const Sheet& sheet, double) {
     return DxfWriter(sheet).write();
 }
 

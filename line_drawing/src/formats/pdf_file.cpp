@@ -11,13 +11,13 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double points_per_mm = 72 / 25.4;
+constexpr double kPointsPerMm = 72 / 25.4;
 
 std::string place(const Vector2d& p) {
-    return inThousandths(p.x()) + ' ' + inThousandths(p.y()) + ' ';
+    return in_thousandths(p.x()) + ' ' + in_thousandths(p.y()) + ' ';
 }
 
-std::string pathData(const Path& path) {
+std::string path_data(const Path& path) {
     std::string data;
     for (std::size_t i = 0, begin = 0; i < path.pieces.size(); ++i) {
         const Path::Piece& piece = path.pieces[i];
@@ -53,7 +53,7 @@ struct StandardText {
 
 // Thousandths of the height, from code 32 on; 0: no letter.
 // clang-format off
-constexpr std::array<short, 224> helvetica_widths = {
+constexpr std::array<short, 224> kHelveticaWidths = {
     278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278, 556, 556, 556,
     556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556, 1015, 667, 667, 722, 722, 667,
     611, 778, 722, 278, 500, 667, 556, 833, 722, 778, 667, 778, 722, 667, 611, 722, 667, 944, 667,
@@ -67,35 +67,35 @@ constexpr std::array<short, 224> helvetica_widths = {
     611, 556, 556, 556, 556, 556, 556, 889, 500, 556, 556, 556, 556, 278, 278, 278, 278, 556, 556,
     556, 556, 556, 556, 556, 584, 611, 556, 556, 556, 556, 500, 556, 500};
 // clang-format on
-constexpr char32_t first_code = 32;
+constexpr char32_t kFirstCode = 32;
 
 /// Codes 0x80 to 0x9f; all others are Unicode's.
-constexpr std::u32string_view from_0x80 =
+constexpr std::u32string_view kFrom0x80 =
     U"\u20ac\ufffd\u201a\u0192\u201e\u2026\u2020\u2021\u02c6\u2030\u0160\u2039\u0152\ufffd\u017d"
     U"\ufffd\ufffd\u2018\u2019\u201c\u201d\u2022\u2013\u2014\u02dc\u2122\u0161\u203a\u0153\ufffd"
     U"\u017e\u0178";
 
-constexpr char32_t root = U'\u221a', code_of_root = 0xd6;  // in Symbol
-constexpr double width_of_root = 0.549;
+constexpr char32_t kRoot = U'\u221a', kCodeOfRoot = 0xd6;  // in Symbol
+constexpr double kWidthOfRoot = 0.549;
 
 /// 0 if there is none.
-char32_t codeOf(char32_t letter) {
-    const std::size_t place = letter == 0xfffd ? from_0x80.npos : from_0x80.find(letter);
-    if (place != from_0x80.npos) return char32_t(0x80 + place);
-    const bool is_same = letter >= first_code && letter < 0x100 && (letter < 0x7f || letter > 0x9f);
+char32_t code_of(char32_t letter) {
+    const std::size_t place = letter == 0xfffd ? kFrom0x80.npos : kFrom0x80.find(letter);
+    if (place != kFrom0x80.npos) return char32_t(0x80 + place);
+    const bool is_same = letter >= kFirstCode && letter < 0x100 && (letter < 0x7f || letter > 0x9f);
     return is_same ? letter : 0;
 }
 
-StandardText inStandardFonts(const std::string& text) {
+StandardText in_standard_fonts(const std::string& text) {
     StandardText result;
-    for (const char32_t letter : lettersOf(text)) {
-        const bool is_root = letter == root;
-        const char32_t found = is_root ? code_of_root : codeOf(letter), code = found ? found : '?';
+    for (const char32_t letter : letters_of(text)) {
+        const bool is_root = letter == kRoot;
+        const char32_t found = is_root ? kCodeOfRoot : code_of(letter), code = found ? found : '?';
         const StandardFont font = is_root ? StandardFont::Symbol : StandardFont::Helvetica;
         if (result.runs.empty() || result.runs.back().font != font)
             result.runs.push_back({font, {}});
         result.runs.back().codes += char(code);
-        result.width += is_root ? width_of_root : helvetica_widths[code - first_code] / 1000.;
+        result.width += is_root ? kWidthOfRoot : kHelveticaWidths[code - kFirstCode] / 1000.;
         result.is_whole &= found != 0;
     }
     return result;
@@ -105,18 +105,18 @@ StandardText inStandardFonts(const std::string& text) {
 class Content {
 public:
     std::string of(const Sheet& sheet) {
-        data_ = inDigits(points_per_mm, 10) + " 0 0 -" + inDigits(points_per_mm, 10) + " 0 " +
-                inDigits(points_per_mm * sheet.size.y(), 10) + " cm 1 J 1 j\n";
-        forEachMark(sheet.groups, [&](const auto& mark, const auto&, const auto&) { add(mark); });
+        data_ = in_digits(kPointsPerMm, 10) + " 0 0 -" + in_digits(kPointsPerMm, 10) + " 0 " +
+                in_digits(kPointsPerMm * sheet.size.y(), 10) + " cm 1 J 1 j\n";
+        for_each_mark(sheet.groups, [&](const auto& mark, const auto&, const auto&) { add(mark); });
         return data_;
     }
 
 private:
     void add(const SheetPath& path) {
-        if (path.path.isEmpty()) return;
+        if (path.path.is_empty()) return;
         if (path.pen_width == 0) {
             const char* fill = path.path.fill_rule == FillRule::EvenOdd ? "f*\n" : "f\n";
-            data_ += inDigits(path.tone) + " g " + pathData(path.path) + fill;
+            data_ += in_digits(path.tone) + " g " + path_data(path.path) + fill;
         } else if (path.dash > 0) {
             data_ += "q 0 J [" + place({path.dash, path.dash / 2}) + "] 0 d ";
             stroke(path);
@@ -127,15 +127,15 @@ private:
     }
 
     void stroke(const SheetPath& path) {
-        data_ += inThousandths(path.pen_width) + " w " + pathData(path.path) + "S\n";
+        data_ += in_thousandths(path.pen_width) + " w " + path_data(path.path) + "S\n";
     }
 
     void add(const SheetText& text) {
-        const StandardText standard = inStandardFonts(text.text);
+        const StandardText standard = in_standard_fonts(text.text);
         if (!standard.is_whole) {
-            return add(outlinesOf(text));
+            return add(outlines_of(text));
         }
-        const std::string height = inThousandths(text.height);
+        const std::string height = in_thousandths(text.height);
         data_ += "0 g BT " + height + " 0 0 -" + height + ' ' +
                  place(text.begin(standard.width * text.height)) + "Tm";
         for (const FontRun& run : standard.runs)
@@ -157,12 +157,12 @@ private:
 };
 
 /// Any characters: UTF-16 in hexadecimal, with a byte order mark.
-std::string textString(const std::string& text) {
+std::string text_string(const std::string& text) {
     std::string digits = "<FEFF";
-    for (const char32_t c : lettersOf(text))
+    for (const char32_t c : letters_of(text))
         digits += c < 0x10000
-                      ? inHexadecimal(c)
-                      : inHexadecimal(0xd7c0 + (c >> 10)) + inHexadecimal(0xdc00 + (c & 0x3ff));
+                      ? in_hexadecimal(c)
+                      : in_hexadecimal(0xd7c0 + (c >> 10)) + in_hexadecimal(0xdc00 + (c & 0x3ff));
     return digits + '>';
 }
 
@@ -179,18 +179,18 @@ std::string xmp(const std::string& provenance) {
 class PdfWriter {
 public:
     std::string write(const Sheet& sheet) {
-        const Vector2d size = points_per_mm * sheet.size;
+        const Vector2d size = kPointsPerMm * sheet.size;
         object("<</Type /Catalog /Pages 2 0 R /ViewerPreferences <</PrintScaling /None>>" +
                std::string(sheet.provenance.empty() ? "" : " /Metadata 8 0 R") + ">>");
         object("<</Type /Pages /Kids [3 0 R] /Count 1>>");
-        object("<</Type /Page /Parent 2 0 R /MediaBox [0 0 " + inDigits(size.x(), 10) + ' ' +
-               inDigits(size.y(), 10) +
+        object("<</Type /Page /Parent 2 0 R /MediaBox [0 0 " + in_digits(size.x(), 10) + ' ' +
+               in_digits(size.y(), 10) +
                "] /Contents 4 0 R /Resources <</Font <</H 5 0 R /S 6 0 R>>>>>>");
         stream("/Filter /FlateDecode", deflated(Content().of(sheet)));
         object("<</Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding>>");
         object("<</Type /Font /Subtype /Type1 /BaseFont /Symbol>>");
-        object("<</Title " + textString(sheet.title) + " /Creator " +
-               textString(std::string("Laplacian Lines ") + laplacian_lines::version()) + ">>");
+        object("<</Title " + text_string(sheet.title) + " /Creator " +
+               text_string(std::string("Laplacian Lines ") + laplacian_lines::version()) + ">>");
         if (!sheet.provenance.empty())
             stream("/Type /Metadata /Subtype /XML", xmp(sheet.provenance));
         return end();
@@ -223,7 +223,7 @@ private:
 
 }  // namespace
 
-std::string writePdf(const Sheet& sheet, double) {
+std::string write_pdf(const Sheet& sheet, double) {
     return PdfWriter().write(sheet);
 }
 

@@ -11,8 +11,8 @@
 namespace line_drawing {
 namespace {
 
-constexpr double mm_per_inch = 25.4;
-constexpr double most_pixels = 32000;  // of a side
+constexpr double kMmPerInch = 25.4;
+constexpr double kMostPixels = 32000;  // of a side
 
 std::string number(std::uint32_t value) {
     return {char(value >> 24), char(value >> 16 & 255), char(value >> 8 & 255), char(value & 255)};
@@ -26,7 +26,7 @@ std::string chunk(const std::string& type, const std::string& data) {
 }
 
 /// Rows that are not filtered, as a byte before each says.
-std::string rowsOf(const Canvas& canvas) {
+std::string rows_of(const Canvas& canvas) {
     std::string rows;
     const auto width = std::size_t(canvas.width());
     const auto* grays = reinterpret_cast<const char*>(canvas.grays().data());
@@ -35,10 +35,10 @@ std::string rowsOf(const Canvas& canvas) {
     return rows;
 }
 
-std::string inPng(const Canvas& canvas, int dots_per_metre) {
+std::string in_png(const Canvas& canvas, int dots_per_metre) {
     const std::string size =
         number(std::uint32_t(canvas.width())) + number(std::uint32_t(canvas.height()));
-    const std::string density = number(std::uint32_t(dots_per_metre)), rows = rowsOf(canvas);
+    const std::string density = number(std::uint32_t(dots_per_metre)), rows = rows_of(canvas);
     return "\x89PNG\r\n\x1a\n" + chunk("IHDR", size + std::string{8, 0, 0, 0, 0}) +
            chunk("pHYs", density + density + '\1') + chunk("IDAT", deflated(rows)) +
            chunk("IEND", {});
@@ -56,15 +56,15 @@ std::string deflated(const std::string& bytes) {
     return result;
 }
 
-std::string writePng(const Sheet& sheet, double dpi) {
-    const double scale = dpi / mm_per_inch;
+std::string write_png(const Sheet& sheet, double dpi) {
+    const double scale = dpi / kMmPerInch;
     const double width = std::ceil(sheet.size.x() * scale),
                  height = std::ceil(sheet.size.y() * scale);
-    if (width > most_pixels || height > most_pixels)
-        refuse("A picture of " + inDigits(width) + " x " + inDigits(height) +
+    if (width > kMostPixels || height > kMostPixels)
+        refuse("A picture of " + in_digits(width) + " x " + in_digits(height) +
                " pixels is too large; take fewer dots per inch.");
-    return inPng(paintGroups(sheet.groups, {int(width), int(height)}, scale),
-                 int(std::lround(scale * 1000)));
+    return in_png(paint_groups(sheet.groups, {int(width), int(height)}, scale),
+                  int(std::lround(scale * 1000)));
 }
 
 }  // namespace line_drawing

@@ -14,14 +14,14 @@ std::string deflated(const std::string& bytes);
 // Of SheetFormat; `dpi` is for pictures.
 
 /// SVG 1.1 with millimetres as user units; groups and layers are Inkscape's layers.
-std::string writeSvg(const Sheet& sheet, double dpi);
+std::string write_svg(const Sheet& sheet, double dpi);
 /// One page in the standard fonts, which are not embedded; texts with other letters become
 /// outlines.
-std::string writePdf(const Sheet& sheet, double dpi);
+std::string write_pdf(const Sheet& sheet, double dpi);
 /// 256 grays, black on white. @throws laplacian_lines::Error(InvalidOption) if it would be too
 /// large
-std::string writePng(const Sheet& sheet, double dpi);
+std::string write_png(const Sheet& sheet, double dpi);
 /// R12, millimetres, y up: polylines, a layer per class of lines, filled areas by their outlines.
-std::string writeDxf(const Sheet& sheet, double dpi);
+std::string write_dxf(const Sheet& sheet, double dpi);
 
 }  // namespace line_drawing

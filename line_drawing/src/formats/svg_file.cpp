@@ -84,8 +84,8 @@ std::string escaped(const std::string& text) {
 class SvgWriter {
 public:
     std::string write(const Sheet& sheet) {
-        const std::string width = inThousandths(sheet.size.x()),
-                          height = inThousandths(sheet.size.y());
+        const std::string width = in_thousandths(sheet.size.x()),
+                          height = in_thousandths(sheet.size.y());
         svg_ = R"(<?xml version="1.0" encoding="UTF-8"?>
 <svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape")";
         attribute("width", width + "mm");
@@ -102,7 +102,7 @@ public:
             content("metadata", "<![CDATA[" + sheet.provenance + "]]>");  // quotes stay as they are
         }
         for (const SheetGroup& group : sheet.groups)
-            writeGroup(group);
+            write_group(group);
         return svg_ + "\n</svg>\n";
     }
 
@@ -115,7 +115,7 @@ private:
         svg_ += '>' + text + "</" + element + '>';
     }
 
-    void beginLayer(const std::string& id, const std::string& name, const std::string& css_class) {
+    void begin_layer(const std::string& id, const std::string& name, const std::string& css_class) {
         begin("g");
         attribute("id", escaped(id));
         attribute("class", css_class);
@@ -124,26 +124,26 @@ private:
         svg_ += '>';
         ++depth_;
     }
-    void endLayer() {
+    void end_layer() {
         --depth_;
         svg_ += '\n' + std::string(depth_, ' ') + "</g>";
     }
 
-    void writeGroup(const SheetGroup& group) {
-        beginLayer(group.key, group.name, "view");
+    void write_group(const SheetGroup& group) {
+        begin_layer(group.key, group.name, "view");
         for (const SheetLayer& layer : group.layers) {
             if (layer.paths.empty() && layer.texts.empty()) continue;
-            beginLayer(group.key + '-' + layer.key, layer.name, layer.key);
+            begin_layer(group.key + '-' + layer.key, layer.name, layer.key);
             for (const SheetPath& path : layer.paths)
-                writePath(path);
+                write_path(path);
             for (const SheetText& text : layer.texts)
-                writeText(text);
-            endLayer();
+                write_text(text);
+            end_layer();
         }
-        endLayer();
+        end_layer();
     }
 
-    void writePath(const SheetPath& path) {
+    void write_path(const SheetPath& path) {
         begin("path");
         attribute("d", PathData().of(path.path));
         if (path.pen_width == 0) {  // filled with black, as is usual
@@ -152,10 +152,10 @@ private:
         } else {
             attribute("fill", "none");
             attribute("stroke", "#000");
-            attribute("stroke-width", inThousandths(path.pen_width));
+            attribute("stroke-width", in_thousandths(path.pen_width));
             if (path.dash > 0)
                 attribute("stroke-dasharray",
-                          inThousandths(path.dash) + ' ' + inThousandths(path.dash / 2));
+                          in_thousandths(path.dash) + ' ' + in_thousandths(path.dash / 2));
             else
                 attribute("stroke-linecap", "round");
             attribute("stroke-linejoin", "round");
@@ -170,11 +170,11 @@ private:
         return '#' + byte + byte + byte;
     }
 
-    void writeText(const SheetText& text) {
+    void write_text(const SheetText& text) {
         begin("text");
-        attribute("x", inThousandths(text.position.x()));
-        attribute("y", inThousandths(text.position.y()));
-        attribute("font-size", inThousandths(text.height));
+        attribute("x", in_thousandths(text.position.x()));
+        attribute("y", in_thousandths(text.position.y()));
+        attribute("font-size", in_thousandths(text.height));
         attribute("font-family", "sans-serif");
         if (text.anchor == TextAnchor::Right) attribute("text-anchor", "end");
         if (text.anchor == TextAnchor::Middle) attribute("text-anchor", "middle");
@@ -187,7 +187,7 @@ private:
 
 }  // namespace
 
-std::string writeSvg(const Sheet& sheet, double) {
+std::string write_svg(const Sheet& sheet, double) {
     return SvgWriter().write(sheet);
 }
 

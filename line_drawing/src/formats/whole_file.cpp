@@ -18,23 +18,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void refuseToWrite(const std::string& file, const std::string& reason) {
+[[noreturn]] void refuse_to_write(const std::string& file, const std::string& reason) {
     laplacian_lines::refuse("\"" + file + "\" cannot be written: " + reason);
 }
 
-[[noreturn]] void refuseBySystem(const std::string& file, int error = errno) {
-    refuseToWrite(file, std::generic_category().message(error));
+[[noreturn]] void refuse_by_system(const std::string& file, int error = errno) {
+    refuse_to_write(file, std::generic_category().message(error));
 }
 
 /// The system would cut the name there.
-void refuseNull(std::string file) {
+void refuse_null(std::string file) {
     const std::size_t place = file.find('\0');
     if (place == file.npos) return;
-    refuseToWrite(file.replace(place, 1, "\\0"), "the name holds a null character");
+    refuse_to_write(file.replace(place, 1, "\\0"), "the name holds a null character");
 }
 
 /// A device, pipe or folder, or a link to one.
-bool isSpecial(const std::string& file) {
+bool is_special(const std::string& file) {
     std::error_code none;
     const fs::file_status status = fs::status(file, none);
     return fs::exists(status) && !fs::is_regular_file(status);
@@ -44,7 +44,7 @@ class OpenFile {
 public:
     OpenFile(const std::string& name, const std::string& place, int flags)
         : name_(name), number_(::open(place.c_str(), flags | O_WRONLY | O_CLOEXEC, 0666)) {
-        if (number_ < 0) refuseBySystem(name);
+        if (number_ < 0) refuse_by_system(name);
     }
     OpenFile(const OpenFile&) = delete;
     OpenFile& operator=(const OpenFile&) = delete;
@@ -56,7 +56,7 @@ public:
     void write(std::string_view data) {
         while (!data.empty()) {
             const ssize_t count = ::write(number_, data.data(), data.size());
-            if (count < 0 && errno != EINTR) refuseBySystem(name_);
+            if (count < 0 && errno != EINTR) refuse_by_system(name_);
             data.remove_prefix(std::size_t(std::max<ssize_t>(0, count)));
         }
     }
@@ -67,12 +67,12 @@ private:
 };
 
 /// Follows links, also to a file that is not there yet.
-std::string placeOf(const std::string& file) {
+std::string place_of(const std::string& file) {
     constexpr int most_links = 40;
     fs::path place = file;
     std::error_code none;
     for (int links = 0; fs::is_symlink(place, none); ++links) {
-        if (links == most_links) refuseBySystem(file, ELOOP);
+        if (links == most_links) refuse_by_system(file, ELOOP);
         place = place.parent_path() / fs::read_symlink(place, none);
     }
     return place.string();
@@ -83,13 +83,13 @@ class NewFile {
 public:
     explicit NewFile(const std::string& file)
         : name_(file),
-          place_(placeOf(file)),
+          place_(place_of(file)),
           beside_(place_ + '.' + std::to_string(std::random_device()())),
           output_(file, beside_, O_CREAT | O_EXCL) {
         struct stat before = {};
         if (::stat(place_.c_str(), &before) != 0) return;
-        if (::access(place_.c_str(), W_OK) != 0) giveUp();
-        if (::fchmod(output_.number(), before.st_mode & 07777) != 0) giveUp();
+        if (::access(place_.c_str(), W_OK) != 0) give_up();
+        if (::fchmod(output_.number(), before.st_mode & 07777) != 0) give_up();
     }
     NewFile(const NewFile&) = delete;
     NewFile& operator=(const NewFile&) = delete;
@@ -100,15 +100,15 @@ public:
     void complete(const std::string& data) {
         output_.write(data);
         if (::fsync(output_.number()) != 0 || ::rename(beside_.c_str(), place_.c_str()) != 0)
-            refuseBySystem(name_);
+            refuse_by_system(name_);
         is_complete_ = true;
     }
 
 private:
-    [[noreturn]] void giveUp() const {
+    [[noreturn]] void give_up() const {
         const int error = errno;
         ::unlink(beside_.c_str());
-        refuseBySystem(name_, error);
+        refuse_by_system(name_, error);
     }
 
     const std::string name_, place_, beside_;
@@ -118,22 +118,23 @@ private:
 
 }  // namespace
 
-void writeWhole(const std::string& file, const std::string& data) {
-    refuseNull(file);
-    if (isSpecial(file))
+void write_whole(const std::string& file, const std::string& data) {
+    refuse_null(file);
+    if (is_special(file))
         OpenFile(file, file, 0).write(data);
     else
         NewFile(file).complete(data);
 }
 
-void checkWritable(const std::string& file) {
-    refuseNull(file);
-    if (!isSpecial(file)) {
+void check_writable(const std::string& file) {
+    refuse_null(file);
+    if (!is_special(file)) {
         const NewFile could_be(file);
         return;
     }
-    if (fs::is_directory(file)) refuseToWrite(file, "it is a folder");
-    if (::access(file.c_str(), W_OK) != 0) refuseToWrite(file, "you have no permission to write it");
+    if (fs::is_directory(file)) refuse_to_write(file, "it is a folder");
+    if (::access(file.c_str(), W_OK) != 0)
+        refuse_to_write(file, "you have no permission to write it");
 }
 
 }  // namespace line_drawing

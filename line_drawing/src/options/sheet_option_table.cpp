@@ -9,7 +9,7 @@ namespace {
 namespace rows = laplacian_lines::option_rows;
 using S = SheetChoices;
 using Place = SheetOption::Place;
-constexpr auto look = &S::look;
+constexpr auto kLook = &S::look;
 
 SheetOption text(std::string S::*member, const char* key, const char* label, const char* help,
                  const char* form, Place place = Place::Both) {
@@ -28,13 +28,13 @@ SheetOption sections() {
 }
 
 std::vector<const char*> papers() {
-    std::vector<const char*> names = paperNames();
+    std::vector<const char*> names = paper_names();
     names.push_back("fit");
     return names;
 }
 
 template <class Table, class Row>
-std::vector<const char*> columnOf(const Table& table, const char* Row::*name) {
+std::vector<const char*> column_of(const Table& table, const char* Row::*name) {
     std::vector<const char*> names;
     for (const Row& row : table)
         names.push_back(row.*name);
@@ -43,11 +43,13 @@ std::vector<const char*> columnOf(const Table& table, const char* Row::*name) {
 
 SheetOption file() {
     static const std::string help =
-        "Ends in " + endingsInWords(", ", " or ") + ". {folder}, {name}: the mesh's.";
-    return {rows::file(&S::file, "file", "File", help.c_str(), columnOf(sheet_formats, &SheetFormat::ending)), Place::Filter};
+        "Ends in " + endings_in_words(", ", " or ") + ". {folder}, {name}: the mesh's.";
+    return {rows::file(&S::file, "file", "File", help.c_str(),
+                       column_of(kSheetFormats, &SheetFormat::ending)),
+            Place::Filter};
 }
 
-std::vector<SheetOption> makeTable() {
+std::vector<SheetOption> make_table() {
     return {
         file(),
         text(&S::views, "views", "Views",
@@ -62,9 +64,9 @@ std::vector<SheetOption> makeTable() {
             "paper", "Paper", papers(),
             "Upright or lying, whichever takes the drawing larger. fit: as large as the drawing.")},
         {rows::choice<&S::unit>(
-            "unit", "Unit of the Mesh", columnOf(mesh_units, &MeshUnit::name),
+            "unit", "Unit of the Mesh", column_of(kMeshUnits, &MeshUnit::name),
             "What a length of 1 is. The dialog begins with m below a size of 10, else mm.")},
-        {rows::choice<look, &SheetLook::up>(
+        {rows::choice<kLook, &SheetLook::up>(
             "up", "Upward Axis", {"x", "y", "z"},
             "The axis of the world that points up in named views.")},
         sections(),
@@ -74,7 +76,7 @@ std::vector<SheetOption> makeTable() {
              "All Visible Layers: together, as they stand, hiding each other."),
          Place::Filter},
         {rows::choice<&S::settings>(
-             "settings", "Settings", settingsNames({"Defaults", "As the Decoration"}),
+             "settings", "Settings", settings_names({"Defaults", "As the Decoration"}),
              "As the Decoration: lines and light as it has drawn them last in a window. The "
              "others: lines of these kinds, with the outlines."),
          Place::Filter},
@@ -82,26 +84,26 @@ std::vector<SheetOption> makeTable() {
             "detail", "Detail", 0, 100,
             "0 to 100: more or fewer lines of all kinds, of finer or coarser forms; 50 is the "
             "usual.")},
-        {rows::choice<look, &SheetLook::arrangement>(
+        {rows::choice<kLook, &SheetLook::arrangement>(
             "arrangement", "Arrangement", {"First Angle", "Third Angle"},
             "How views lie around the front view. First angle (Europe): what is seen from the left "
             "stands on the right; third angle (America): on the left.")},
-        {rows::choice<look, &SheetLook::strokes>(
+        {rows::choice<kLook, &SheetLook::strokes>(
              "strokes", "Strokes", {"Tapered", "Plain"},
              "Lines that swell and taper as in MeshLab's view, or of even width, for plotters and "
              "CAD; those of DXF are always plain."),
          Place::Command},
-        {rows::choice<look, &SheetLook::wall>(
+        {rows::choice<kLook, &SheetLook::wall>(
             "wall", "Walls", {"Hatched", "Filled", "None"},
             "What sections cut: hatched, black, or its outline alone.")},
-        {rows::choice<look, &SheetLook::hidden>(
+        {rows::choice<kLook, &SheetLook::hidden>(
             "hidden", "Hidden Lines", {"None", "Dashed"},
             "Outlines, borders and creases behind the surface.")},
         {rows::choice<&S::weights>(
             "weights", "Line Weights", {"Illustrator", "ISO 128"},
             "Illustrator: outlines are widest, edges within the form thin. ISO 128: edges that are "
             "seen are as wide as outlines, other lines half as wide.")},
-        {rows::boolean<look, &SheetLook::has_furniture>(
+        {rows::boolean<kLook, &SheetLook::has_furniture>(
              "furniture", "Scale Bar and Notes",
              "Names of views, scale bar, symbol of the projection, notes of scale, size and file."),
          Place::Both,
@@ -117,11 +119,11 @@ std::vector<SheetOption> makeTable() {
              "auto|1mm|0.9%", Place::Command),
         text(&S::smoothing, "smoothing", "Smoothing on Paper",
              "Of the surface before lines are found, likewise.", "auto|0.3mm|0.2%", Place::Command),
-        {rows::choice<look, &SheetLook::area>(
+        {rows::choice<kLook, &SheetLook::area>(
              "area", "Areas", {"None", "Filled", "Objects"},
              "What the outline of all, or of each object alone, encloses, as areas besides."),
          Place::Command},
-        {rows::choice<look, &SheetLook::text>(
+        {rows::choice<kLook, &SheetLook::text>(
              "text", "Text", {"Letters", "Outlines"},
              "Letters of the reader's font, or their outlines, for print shops and plotters."),
          Place::Command},
@@ -130,7 +132,8 @@ std::vector<SheetOption> makeTable() {
              "Files that are not whole; what is drawn of them is called incomplete on the sheet."),
          Place::Command},
         {rows::real<&S::dpi>("dpi", "Dots per Inch", 20, 2400, "Of PNG files."), Place::Command},
-        {rows::choice<&S::format>("format", "Format", columnOf(sheet_formats, &SheetFormat::ending),
+        {rows::choice<&S::format>("format", "Format",
+                                  column_of(kSheetFormats, &SheetFormat::ending),
                                   "Of the drawings in a folder."),
          Place::Command},
     };
@@ -138,19 +141,19 @@ std::vector<SheetOption> makeTable() {
 
 }  // namespace
 
-std::vector<const char*> settingsNames(std::vector<const char*> own) {
-    for (const laplacian_lines::LineMixture& mixture : laplacian_lines::line_mixtures)
+std::vector<const char*> settings_names(std::vector<const char*> own) {
+    for (const laplacian_lines::LineMixture& mixture : laplacian_lines::kLineMixtures)
         own.push_back(mixture.label);
     return own;
 }
 
-const laplacian_lines::LineMixture* mixtureAt(int settings) {
-    if (settings <= settings_of_decoration) return nullptr;
-    return &laplacian_lines::line_mixtures.at(std::size_t(settings - settings_of_decoration - 1));
+const laplacian_lines::LineMixture* mixture_at(int settings) {
+    if (settings <= kSettingsOfDecoration) return nullptr;
+    return &laplacian_lines::kLineMixtures.at(std::size_t(settings - kSettingsOfDecoration - 1));
 }
 
-const std::vector<SheetOption>& sheetOptionTable() {
-    static const std::vector<SheetOption> table = makeTable();
+const std::vector<SheetOption>& sheet_option_table() {
+    static const std::vector<SheetOption> table = make_table();
     return table;
 }
 

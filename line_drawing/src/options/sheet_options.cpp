@@ -12,27 +12,27 @@
 namespace line_drawing {
 namespace {
 
-constexpr double largest_scale = 1e9;  // and one in as many
+constexpr double kLargestScale = 1e9;  // and one in as many
 
 /// By what it is the unit of, mm.
 struct LengthUnit {
     const char* name;
     double mm, below;
 };
-constexpr LengthUnit length_units[] = {
+constexpr LengthUnit kLengthUnits[] = {
     {" µm", 1e-3, 0.1}, {" mm", 1, 1e4}, {" m", 1e3, 1e7}, {" km", 1e6, 0}};
 
 std::string rounded(double x) {
-    if (x < 0.0995) return inDigits(std::round(1000 * x) / 1000);
-    return inDecimals(x, x < 10 ? 2 : x < 1000 ? 1 : 0);
+    if (x < 0.0995) return in_digits(std::round(1000 * x) / 1000);
+    return in_decimals(x, x < 10 ? 2 : x < 1000 ? 1 : 0);
 }
 
-[[noreturn]] void refuseWord(const SheetOption& option, const std::string& word,
-                             const std::string& allowed) {
+[[noreturn]] void refuse_word(const SheetOption& option, const std::string& word,
+                              const std::string& allowed) {
     laplacian_lines::refuse_value(option.command(), "\"" + word + "\"", allowed);
 }
 
-laplacian_lines::LineKindSet kindsIn(const std::string& names) {
+laplacian_lines::LineKindSet kinds_in(const std::string& names) {
     if (const auto kinds = laplacian_lines::kinds_named(names)) return *kinds;
     refuse("--kinds is \"" + names + "\". It has to be some of " +
            laplacian_lines::names_of_kinds() + ", with commas between.");
@@ -60,13 +60,13 @@ std::string wrapped(const std::string& text, std::size_t indent, std::size_t wid
 
 }  // namespace
 
-double parseScale(std::string_view text) {
+double parse_scale(std::string_view text) {
     if (lower(std::string(trimmed(text))) == "fit") return 0;
     const std::size_t colon = std::min(text.find(':'), text.size());
-    const double drawn = numberIn(text.substr(0, colon)).value_or(0);
-    const double real = numberIn(text.substr(std::min(colon + 1, text.size()))).value_or(0);
+    const double drawn = number_in(text.substr(0, colon)).value_or(0);
+    const double real = number_in(text.substr(std::min(colon + 1, text.size()))).value_or(0);
     const double scale = drawn / real;
-    if (!(drawn > 0) || !(real > 0) || !(scale >= 1 / largest_scale && scale <= largest_scale))
+    if (!(drawn > 0) || !(real > 0) || !(scale >= 1 / kLargestScale && scale <= kLargestScale))
         refuse(
             "\"" + std::string(text) +
             "\" is not a scale. A scale is drawn to true length, such as 1:2 or 2:1, or fit: the "
@@ -74,12 +74,12 @@ double parseScale(std::string_view text) {
     return scale;
 }
 
-DetailSize parseDetailSize(std::string_view text) {
+DetailSize parse_detail_size(std::string_view text) {
     const std::string word = lower(std::string(trimmed(text)));
     if (word == "auto") return {};
-    const bool is_share = endsWith(word, "%");
-    const std::size_t unit = is_share ? 1 : endsWith(word, "mm") ? 2 : 0;
-    const double size = numberIn(word.substr(0, word.size() - unit)).value_or(0);
+    const bool is_share = ends_with(word, "%");
+    const std::size_t unit = is_share ? 1 : ends_with(word, "mm") ? 2 : 0;
+    const double size = number_in(word.substr(0, word.size() - unit)).value_or(0);
     if (unit == 0 || !(size >= 1e-3 && size <= 100))
         refuse("\"" + std::string(text) +
                "\" is not a size of detail. Say auto, a length on paper such as 1mm, or a share of "
@@ -87,15 +87,15 @@ DetailSize parseDetailSize(std::string_view text) {
     return {is_share ? size / 100 : size, is_share};
 }
 
-std::string scaleInWords(double scale) {
+std::string scale_in_words(double scale) {
     constexpr int digits = 9;
-    return scale < 1 ? "1:" + inDigits(1 / scale, digits) : inDigits(scale, digits) + ":1";
+    return scale < 1 ? "1:" + in_digits(1 / scale, digits) : in_digits(scale, digits) + ":1";
 }
 
-std::string sizeInWords(const Eigen::Vector3d& mm, const char* times) {
+std::string size_in_words(const Eigen::Vector3d& mm, const char* times) {
     const double longest = mm.maxCoeff() > 0 ? mm.maxCoeff() : 1;
-    const LengthUnit* unit = length_units;
-    while (unit + 1 != std::end(length_units) && longest >= unit->below)
+    const LengthUnit* unit = kLengthUnits;
+    while (unit + 1 != std::end(kLengthUnits) && longest >= unit->below)
         ++unit;
     Words sides;
     for (int axis = 0; axis < 3; ++axis)
@@ -103,8 +103,8 @@ std::string sizeInWords(const Eigen::Vector3d& mm, const char* times) {
     return joined(sides, times) + unit->name;
 }
 
-std::string kernelInWords(double mm) {
-    return mm < 100 ? inDigits(mm, 2) : inDecimals(mm, 0);
+std::string kernel_in_words(double mm) {
+    return mm < 100 ? in_digits(mm, 2) : in_decimals(mm, 0);
 }
 
 std::string SheetOption::command() const {
@@ -119,11 +119,11 @@ Words SheetOption::words() const {
     return result;
 }
 
-std::string SheetOption::valueIn(const SheetChoices& choices) const {
+std::string SheetOption::value_in(const SheetChoices& choices) const {
     if (row.text) return choices.*row.text;
     const double value = row.get(choices);
     const Words known = words();
-    return std::size_t(value) < known.size() ? known[std::size_t(value)] : inDigits(value);
+    return std::size_t(value) < known.size() ? known[std::size_t(value)] : in_digits(value);
 }
 
 void SheetOption::read(const std::string& word, SheetChoices& choices) const {
@@ -133,26 +133,27 @@ void SheetOption::read(const std::string& word, SheetChoices& choices) const {
     }
     if (const Words known = words(); !known.empty()) {
         const auto place = std::find(known.begin(), known.end(), lower(word));
-        if (place == known.end()) refuseWord(*this, word, "one of " + joined(known, ", "));
+        if (place == known.end()) refuse_word(*this, word, "one of " + joined(known, ", "));
         return row.set(choices, double(place - known.begin()));
     }
-    const std::optional<double> value = numberIn(word);
+    const std::optional<double> value = number_in(word);
     if (!value || !(*value >= row.minimum && *value <= row.maximum))
-        refuseWord(*this, word, laplacian_lines::allowed_values(row));
+        refuse_word(*this, word, laplacian_lines::allowed_values(row));
     row.set(choices, *value);
 }
 
-const SheetOption* commandOption(const std::string& command) {
-    for (const SheetOption& option : sheetOptionTable())
-        if (option.isOf(SheetOption::Place::Command) && option.command() == command) return &option;
+const SheetOption* command_option(const std::string& command) {
+    for (const SheetOption& option : sheet_option_table())
+        if (option.is_of(SheetOption::Place::Command) && option.command() == command)
+            return &option;
     return nullptr;
 }
 
-SheetChoices readChoices(const Words& words) {
+SheetChoices read_choices(const Words& words) {
     SheetChoices choices;
     const std::string usual_views = std::exchange(choices.views, "");
     for (std::size_t i = 0; i + 1 < words.size(); i += 2) {
-        const SheetOption* option = commandOption(words[i]);
+        const SheetOption* option = command_option(words[i]);
         if (!option) refuse("unknown option " + words[i] + "; see --help.");
         option->read(words[i + 1], choices);
     }
@@ -160,7 +161,7 @@ SheetChoices readChoices(const Words& words) {
     return choices;
 }
 
-std::string titleOf(std::string title, const Words& names) {
+std::string title_of(std::string title, const Words& names) {
     constexpr std::string_view place = "{name}";
     const std::string name = joined(names, ", ");
     for (std::size_t at = 0; (at = title.find(place, at)) != title.npos; at += name.size())
@@ -168,18 +169,18 @@ std::string titleOf(std::string title, const Words& names) {
     return title;
 }
 
-std::string sheetOptionsHelp() {
+std::string sheet_options_help() {
     constexpr std::size_t column = 23, width = 90;
     std::string help;
-    for (const SheetOption& option : sheetOptionTable()) {
-        if (!option.isOf(SheetOption::Place::Command)) continue;
+    for (const SheetOption& option : sheet_option_table()) {
+        if (!option.is_of(SheetOption::Place::Command)) continue;
         const Words words = option.words();
         const std::string value =
             option.row.text ? option.form
-            : words.empty() ? inDigits(option.row.minimum) + ".." + inDigits(option.row.maximum)
+            : words.empty() ? in_digits(option.row.minimum) + ".." + in_digits(option.row.maximum)
                             : joined(words, "|");
         const std::string head = "  " + option.command() + ' ' + value;
-        const std::string usual = option.valueIn({});
+        const std::string usual = option.value_in({});
         const std::string text = option.row.help + (usual.empty() ? usual : " (" + usual + ')');
         help += head.size() < column ? head : head + '\n';
         help += std::string(head.size() < column ? column - head.size() : column, ' ');
@@ -188,23 +189,23 @@ std::string sheetOptionsHelp() {
     return help;
 }
 
-SheetOptions sheetOptions(const SheetChoices& chosen, const NamedViews& others) {
+SheetOptions sheet_options(const SheetChoices& chosen, const NamedViews& others) {
     SheetOptions options;
     static_cast<SheetLook&>(options) = chosen.look;
-    options.sections = parseSections(chosen.sections);
+    options.sections = parse_sections(chosen.sections);
     if (!trimmed(chosen.views).empty() || options.sections.empty())
-        options.views = parseViews(chosen.views, chosen.look.up, others);
-    options.scale = parseScale(chosen.scale);
-    const std::vector<const char*> papers = paperNames();
+        options.views = parse_views(chosen.views, chosen.look.up, others);
+    options.scale = parse_scale(chosen.scale);
+    const std::vector<const char*> papers = paper_names();
     const auto paper = std::size_t(chosen.paper);
     options.paper = paper < papers.size() ? papers[paper] : "fit";
-    options.mm_per_unit = mesh_units[chosen.unit].mm;
-    if (!formatOf(chosen.file).has_tapered_strokes) options.strokes = StrokeStyle::Plain;
+    options.mm_per_unit = kMeshUnits[chosen.unit].mm;
+    if (!format_of(chosen.file).has_tapered_strokes) options.strokes = StrokeStyle::Plain;
     options.title = chosen.title;
-    options.pens = pensOf(chosen.weights);
-    options.kernel = parseDetailSize(chosen.kernel);
-    options.smoothing = parseDetailSize(chosen.smoothing);
-    options.style.shows = kindsIn(chosen.kinds);
+    options.pens = pens_of(chosen.weights);
+    options.kernel = parse_detail_size(chosen.kernel);
+    options.smoothing = parse_detail_size(chosen.smoothing);
+    options.style.shows = kinds_in(chosen.kinds);
     options.style.detail = chosen.detail;
     return options;
 }

@@ -11,27 +11,27 @@ namespace {
 
 using Eigen::Vector3d;
 
-const char* const toward = "toward";
-const char* const from = "from";
-constexpr std::array<const char*, 6> side_names = {"Front", "Back", "Left",
+const char* const kToward = "toward";
+const char* const kFrom = "from";
+constexpr std::array<const char*, 6> kSideNames = {"Front", "Back", "Left",
                                                    "Right", "Top",  "Bottom"};
 
-Vector3d upOf(UpAxis axis) {
+Vector3d up_of(UpAxis axis) {
     return Vector3d::Unit(int(axis));
 }
 
-Vector3d frontOf(UpAxis axis) {
+Vector3d front_of(UpAxis axis) {
     return axis == UpAxis::Z ? Vector3d(0, -1, 0) : Vector3d(0, 0, 1);
 }
 
-ViewFrame makeFrame(Side side, const std::string& name, const Vector3d& towards_viewer,
-                    const Vector3d& up) {
+ViewFrame make_frame(Side side, const std::string& name, const Vector3d& towards_viewer,
+                     const Vector3d& up) {
     return {side, name, up.cross(towards_viewer), up, towards_viewer, false};
 }
 
 /// A half section from the front.
-ViewFrame frameOfVessel(UpAxis axis) {
-    ViewFrame frame = frameOfSide(Side::Front, axis);
+ViewFrame frame_of_vessel(UpAxis axis) {
+    ViewFrame frame = frame_of_side(Side::Front, axis);
     frame.name = "Vessel";
     frame.is_half_section = true;
     return frame;
@@ -40,61 +40,61 @@ ViewFrame frameOfVessel(UpAxis axis) {
 class ViewWords {
 public:
     ViewWords(std::string_view text, UpAxis up, const NamedViews& others)
-        : words_(wordsOf(text)), up_(up), others_(others) {}
+        : words_(words_of(text)), up_(up), others_(others) {}
 
     std::vector<ViewFrame> read() {
         std::vector<ViewFrame> views;
         while (next_ < words_.size()) {
             const std::string word = words_[next_++];
             if (lower(word) == "six")
-                for (std::size_t side = 0; side < side_names.size(); ++side)
-                    views.push_back(frameOfSide(Side(side), up_));
+                for (std::size_t side = 0; side < kSideNames.size(); ++side)
+                    views.push_back(frame_of_side(Side(side), up_));
             else
-                views.push_back(readOne(word));
+                views.push_back(read_one(word));
         }
-        if (views.empty()) refuseWord("");
+        if (views.empty()) refuse_word("");
         return views;
     }
 
 private:
-    ViewFrame readOne(const std::string& word) {
+    ViewFrame read_one(const std::string& word) {
         const std::string name = lower(word);
-        for (std::size_t side = 0; side < side_names.size(); ++side)
-            if (name == lower(side_names[side])) return frameOfSide(Side(side), up_);
-        if (name == "vessel") return frameOfVessel(up_);
-        if (name == toward) return readFrame();
+        for (std::size_t side = 0; side < kSideNames.size(); ++side)
+            if (name == lower(kSideNames[side])) return frame_of_side(Side(side), up_);
+        if (name == "vessel") return frame_of_vessel(up_);
+        if (name == kToward) return read_frame();
         for (const auto& [other, frame] : others_)
             if (name == lower(other)) return frame;
-        const std::optional<double> azimuth = numberIn(word);
-        if (!azimuth || next_ == words_.size()) refuseWord(word);
-        const std::optional<double> elevation = numberIn(words_[next_++]);
-        if (!elevation) refuseWord(words_[next_ - 1]);
-        return frameOfDirection(*azimuth, *elevation, up_);
+        const std::optional<double> azimuth = number_in(word);
+        if (!azimuth || next_ == words_.size()) refuse_word(word);
+        const std::optional<double> elevation = number_in(words_[next_++]);
+        if (!elevation) refuse_word(words_[next_ - 1]);
+        return frame_of_direction(*azimuth, *elevation, up_);
     }
 
-    ViewFrame readFrame() {
-        const Vector3d viewer = readVector().stableNormalized(), up = readVector();
+    ViewFrame read_frame() {
+        const Vector3d viewer = read_vector().stableNormalized(), up = read_vector();
         const Vector3d right = up.cross(viewer).stableNormalized();
-        if (!(viewer.allFinite() && right.norm() > 0.5)) refuseWord(toward);
-        ViewFrame frame = makeFrame(Side::Other, "View", viewer, viewer.cross(right));
-        if (next_ == words_.size() || lower(words_[next_]) != from) return frame;
+        if (!(viewer.allFinite() && right.norm() > 0.5)) refuse_word(kToward);
+        ViewFrame frame = make_frame(Side::Other, "View", viewer, viewer.cross(right));
+        if (next_ == words_.size() || lower(words_[next_]) != kFrom) return frame;
         ++next_;
-        frame.eye = readVector();
+        frame.eye = read_vector();
         return frame;
     }
 
-    Vector3d readVector() {
+    Vector3d read_vector() {
         Vector3d vector;
         for (double& x : vector) {
             const std::optional<double> number =
-                next_ < words_.size() ? numberIn(words_[next_++]) : std::nullopt;
-            if (!number) refuseWord(toward);
+                next_ < words_.size() ? number_in(words_[next_++]) : std::nullopt;
+            if (!number) refuse_word(kToward);
             x = *number;
         }
         return vector;
     }
 
-    [[noreturn]] static void refuseWord(const std::string& word) {
+    [[noreturn]] static void refuse_word(const std::string& word) {
         refuse("\"" + word +
                "\" is not a view. Views are front, back, left, right, top, bottom, six (all of "
                "these), vessel, or azimuth and elevation in degrees, such as 30,15.");
@@ -106,13 +106,13 @@ private:
     std::size_t next_ = 0;
 };
 
-constexpr std::string_view axes = "xyz";
+constexpr std::string_view kAxes = "xyz";
 
-Section sectionFrom(const std::string& word) {
-    const std::size_t axis = axes.find(lower(word)[0]);
+Section section_from(const std::string& word) {
+    const std::size_t axis = kAxes.find(lower(word)[0]);
     const double share =
-        word.size() > 2 && word[1] == '=' ? numberIn(word.substr(2)).value_or(0) : 0;
-    if (axis == axes.npos || !(share > 0 && share < 1))
+        word.size() > 2 && word[1] == '=' ? number_in(word.substr(2)).value_or(0) : 0;
+    if (axis == kAxes.npos || !(share > 0 && share < 1))
         refuse("\"" + word +
                "\" is not a section. A section is an axis and a place on it, 0 to 1 of the object, "
                "such as y=0.5.");
@@ -121,90 +121,90 @@ Section sectionFrom(const std::string& word) {
 
 }  // namespace
 
-std::array<const char*, 6> sideNames() {
-    return side_names;
+std::array<const char*, 6> side_names() {
+    return kSideNames;
 }
 
-Vector3d inMesh(const Vector3d& direction, const ViewFrame& frame) {
+Vector3d in_mesh(const Vector3d& direction, const ViewFrame& frame) {
     return direction.x() * frame.right + direction.y() * frame.up +
            direction.z() * frame.towards_viewer;
 }
 
-ViewFrame frameOfSide(Side side, UpAxis axis) {
-    const Vector3d up = upOf(axis), front = frontOf(axis), right = up.cross(front);
-    const std::string name = side_names[std::size_t(side)];
+ViewFrame frame_of_side(Side side, UpAxis axis) {
+    const Vector3d up = up_of(axis), front = front_of(axis), right = up.cross(front);
+    const std::string name = kSideNames[std::size_t(side)];
     switch (side) {
         case Side::Back:
-            return makeFrame(side, name, -front, up);
+            return make_frame(side, name, -front, up);
         case Side::Left:
-            return makeFrame(side, name, -right, up);
+            return make_frame(side, name, -right, up);
         case Side::Right:
-            return makeFrame(side, name, right, up);
+            return make_frame(side, name, right, up);
         case Side::Top:
-            return makeFrame(side, name, up, -front);
+            return make_frame(side, name, up, -front);
         case Side::Bottom:
-            return makeFrame(side, name, -up, front);
+            return make_frame(side, name, -up, front);
         default:
-            return makeFrame(side, name, front, up);
+            return make_frame(side, name, front, up);
     }
 }
 
-ViewFrame frameOfDirection(double azimuth, double elevation, UpAxis axis) {
+ViewFrame frame_of_direction(double azimuth, double elevation, UpAxis axis) {
     if (!(std::abs(elevation) <= 90) || !std::isfinite(azimuth))
         refuse(
             "A view's azimuth has to be a number of degrees, its elevation one between "
             "-90 and 90.");
     constexpr double degree = 0.017453292519943295;
-    const Vector3d up = upOf(axis), front = frontOf(axis), right = up.cross(front);
+    const Vector3d up = up_of(axis), front = front_of(axis), right = up.cross(front);
     const double a = azimuth * degree, e = elevation * degree;
     const Vector3d outwards = std::cos(a) * front + std::sin(a) * right;
     // No digit first: readers of SVG take that for a layer's number.
-    const std::string name = "View " + inDigits(azimuth) + "°, " + inDigits(elevation) + "°";
-    return makeFrame(Side::Other, name, std::cos(e) * outwards + std::sin(e) * up,
-                     std::cos(e) * up - std::sin(e) * outwards);
+    const std::string name = "View " + in_digits(azimuth) + "°, " + in_digits(elevation) + "°";
+    return make_frame(Side::Other, name, std::cos(e) * outwards + std::sin(e) * up,
+                      std::cos(e) * up - std::sin(e) * outwards);
 }
 
-std::vector<Section> parseSections(std::string_view text) {
+std::vector<Section> parse_sections(std::string_view text) {
     std::vector<Section> sections;
-    for (const std::string& word : wordsOf(text))
-        sections.push_back(sectionFrom(word));
+    for (const std::string& word : words_of(text))
+        sections.push_back(section_from(word));
     return sections;
 }
 
-std::string letterOf(std::size_t number) {
+std::string letter_of(std::size_t number) {
     constexpr std::size_t letters = 26;
     const std::string last(1, char('A' + number % letters));
-    return number < letters ? last : letterOf(number / letters - 1) + last;
+    return number < letters ? last : letter_of(number / letters - 1) + last;
 }
 
-ViewFrame frameOfSection(const Section& section, UpAxis up) {
+ViewFrame frame_of_section(const Section& section, UpAxis up) {
     ViewFrame frame;
     for (const Side side : {Side::Top, Side::Front, Side::Left}) {
-        frame = frameOfSide(side, up);
+        frame = frame_of_side(side, up);
         if (frame.towards_viewer[section.axis] != 0) break;
     }
     frame.side = Side::Other;
-    frame.name = std::string("Section ") + axes[std::size_t(section.axis)] + " = " +
-                 inDigits(100 * section.share, 3) + " %";
+    frame.name = std::string("Section ") + kAxes[std::size_t(section.axis)] + " = " +
+                 in_digits(100 * section.share, 3) + " %";
     return frame;
 }
 
-std::string frameInWords(const ViewFrame& frame) {
+std::string frame_in_words(const ViewFrame& frame) {
     constexpr int digits = 9;
-    std::string words = toward;
+    std::string words = kToward;
     const auto add = [&](const Vector3d& vector) {
         for (const double x : vector)
-            words += ' ' + inDigits(x + 0., digits);  // no -0
+            words += ' ' + in_digits(x + 0., digits);  // no -0
     };
     add(frame.towards_viewer);
     add(frame.up);
     if (!frame.eye) return words;
-    words += std::string(" ") + from;
+    words += std::string(" ") + kFrom;
     add(*frame.eye);
     return words;
 }
 
-std::vector<ViewFrame> parseViews(std::string_view text, UpAxis up, const NamedViews& others) {
+std::vector<ViewFrame> parse_views(std::string_view text, UpAxis up, const NamedViews& others) {
     return ViewWords(text, up, others).read();
 }
 

@@ -9,8 +9,8 @@
 namespace line_drawing {
 namespace {
 
-constexpr std::string_view blanks = " \t\n\v\f\r";
-constexpr char32_t replacement = 0xfffd;
+constexpr std::string_view kBlanks = " \t\n\v\f\r";
+constexpr char32_t kReplacement = 0xfffd;
 
 template <class Change>
 std::string changed(std::string text, char first, char last, Change change) {
@@ -20,16 +20,16 @@ std::string changed(std::string text, char first, char last, Change change) {
 }
 
 /// Bytes of the character that begins with this one; 0: none does.
-std::size_t lengthByFirst(unsigned char byte) {
+std::size_t length_by_first(unsigned char byte) {
     if (byte < 0x80) return 1;
     return byte >= 0xf5 || byte < 0xc2 ? 0 : byte >= 0xf0 ? 4 : byte >= 0xe0 ? 3 : 2;
 }
 
 /// Removes the first character of a text.
-char32_t takeLetter(std::string_view& text) {
+char32_t take_letter(std::string_view& text) {
     constexpr std::array<char32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const std::size_t length = lengthByFirst(byte(0));
+    const std::size_t length = length_by_first(byte(0));
     char32_t letter = length == 1 ? byte(0) : byte(0) & (0x7fu >> length);
     std::size_t i = 1;
     for (; i < length && i < text.size() && (byte(i) & 0xc0) == 0x80; ++i)
@@ -37,7 +37,7 @@ char32_t takeLetter(std::string_view& text) {
     const bool is_whole = length > 0 && i == length && letter >= least[length] &&
                           letter <= 0x10ffff && (letter < 0xd800 || letter > 0xdfff);
     text.remove_prefix(is_whole ? length : 1);
-    return is_whole ? letter : replacement;
+    return is_whole ? letter : kReplacement;
 }
 
 std::string written(double x, std::chars_format format, int precision) {
@@ -49,7 +49,7 @@ std::string written(double x, std::chars_format format, int precision) {
 
 }  // namespace
 
-Words wordsOf(std::string_view text) {
+Words words_of(std::string_view text) {
     constexpr std::string_view between = ",; \t\n\v\f\r";
     Words words;
     for (std::size_t begin = 0; (begin = text.find_first_not_of(between, begin)) != text.npos;) {
@@ -75,15 +75,15 @@ std::string upper(std::string text) {
 }
 
 std::string_view trimmed(std::string_view text) {
-    const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
-    return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+    const std::size_t begin = std::min(text.find_first_not_of(kBlanks), text.size());
+    return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
 }
 
-bool endsWith(std::string_view text, std::string_view end) {
+bool ends_with(std::string_view text, std::string_view end) {
     return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
-std::optional<double> numberIn(std::string_view text) {
+std::optional<double> number_in(std::string_view text) {
     text = trimmed(text);
     if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
     double number = 0;
@@ -92,10 +92,10 @@ std::optional<double> numberIn(std::string_view text) {
     return number;
 }
 
-std::string inDigits(double x, int digits) {
+std::string in_digits(double x, int digits) {
     return written(x, std::chars_format::general, digits);
 }
-std::string inDecimals(double x, int decimals) {
+std::string in_decimals(double x, int decimals) {
     return written(x, std::chars_format::fixed, decimals);
 }
 
@@ -109,25 +109,25 @@ std::string thousandths(std::int64_t number) {
     if (digits.size() > 1 && digits[0] == '0') digits.erase(0, 1);
     return number < 0 ? '-' + digits : digits;
 }
-std::string inThousandths(double x) {
+std::string in_thousandths(double x) {
     return thousandths(std::llround(1000 * x));
 }
 
-std::string inHexadecimal(char32_t number) {
+std::string in_hexadecimal(char32_t number) {
     std::string digits;
     for (int shift = 12; shift >= 0; shift -= 4)
         digits += "0123456789ABCDEF"[number >> shift & 15];
     return digits;
 }
 
-std::u32string lettersOf(std::string_view text) {
+std::u32string letters_of(std::string_view text) {
     std::u32string letters;
     while (!text.empty())
-        letters += takeLetter(text);
+        letters += take_letter(text);
     return letters;
 }
 
-std::string inUtf8(std::u32string_view letters) {
+std::string in_utf8(std::u32string_view letters) {
     std::string text;
     for (const char32_t c : letters) {
         const int more = c < 0x80 ? 0 : c < 0x800 ? 1 : c < 0x10000 ? 2 : 3;
@@ -139,11 +139,11 @@ std::string inUtf8(std::u32string_view letters) {
     return text;
 }
 
-std::string oneLine(std::string_view text) {
-    std::u32string letters = lettersOf(text);
+std::string one_line(std::string_view text) {
+    std::u32string letters = letters_of(text);
     for (char32_t& c : letters)
         if (c < ' ' || (c >= 0x7f && c < 0xa0) || c == 0x2028 || c == 0x2029) c = ' ';
-    return inUtf8(letters);
+    return in_utf8(letters);
 }
 
 }  // namespace line_drawing

@@ -10,8 +10,8 @@ namespace {
 
 using Point = Path::Point;
 
-constexpr double farthest = 1e9;  // what is beyond that is drawn as if it were there
-constexpr int lines_of_pixel = 16, steps_of_pixel = 256, whole = lines_of_pixel * steps_of_pixel;
+constexpr double kFarthest = 1e9;  // what is beyond that is drawn as if it were there
+constexpr int kLinesOfPixel = 16, kStepsOfPixel = 256, kWhole = kLinesOfPixel * kStepsOfPixel;
 
 struct Side {
     int first, end;
@@ -25,33 +25,33 @@ struct Crossing {
 };
 
 /// The first line not above y, within the picture.
-int lineFrom(double y, int line_count) {
-    return int(std::clamp(std::ceil(y * lines_of_pixel - 0.5), 0., double(line_count)));
+int line_from(double y, int line_count) {
+    return int(std::clamp(std::ceil(y * kLinesOfPixel - 0.5), 0., double(line_count)));
 }
 
-bool isFinite(const Polygon& polygon) {
+bool is_finite(const Polygon& polygon) {
     return std::all_of(polygon.begin(), polygon.end(),
                        [](const Point& p) { return p.allFinite(); });
 }
 
 Point within(const Point& p) {
-    return p.cwiseMax(-farthest).cwiseMin(farthest);
+    return p.cwiseMax(-kFarthest).cwiseMin(kFarthest);
 }
 
-std::vector<Side> sidesOf(const std::vector<Polygon>& polygons, int line_count) {
+std::vector<Side> sides_of(const std::vector<Polygon>& polygons, int line_count) {
     std::vector<Side> sides;
     for (const Polygon& polygon : polygons) {
-        if (!isFinite(polygon)) continue;
+        if (!is_finite(polygon)) continue;
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             Point p = within(polygon[i]), q = within(polygon[(i + 1) % polygon.size()]);
             const int winding = p.y() < q.y() ? 1 : -1;
             if (winding < 0) std::swap(p, q);
-            const int first = lineFrom(p.y(), line_count), end = lineFrom(q.y(), line_count);
+            const int first = line_from(p.y(), line_count), end = line_from(q.y(), line_count);
             if (first == end) continue;
             const double slope = (q.x() - p.x()) / (q.y() - p.y());
-            const double y = (first + 0.5) / lines_of_pixel;
-            sides.push_back({first, end, (p.x() + (y - p.y()) * slope) * steps_of_pixel,
-                             slope * steps_of_pixel / lines_of_pixel, winding});
+            const double y = (first + 0.5) / kLinesOfPixel;
+            sides.push_back({first, end, (p.x() + (y - p.y()) * slope) * kStepsOfPixel,
+                             slope * kStepsOfPixel / kLinesOfPixel, winding});
         }
     }
     std::sort(sides.begin(), sides.end(),
@@ -63,20 +63,20 @@ std::vector<Side> sidesOf(const std::vector<Polygon>& polygons, int line_count) 
 class Coverage {
 public:
     explicit Coverage(int width)
-        : limit_(width * steps_of_pixel), parts_(std::size_t(width) + 1), starts_(parts_.size()) {}
+        : limit_(width * kStepsOfPixel), parts_(std::size_t(width) + 1), starts_(parts_.size()) {}
 
     int limit() const { return limit_; }
 
     void add(int begin, int end) {
         if (begin >= end) return;
-        const int first = begin / steps_of_pixel, last = end / steps_of_pixel;
+        const int first = begin / kStepsOfPixel, last = end / kStepsOfPixel;
         from_ = std::min(from_, first);
         to_ = std::max(to_, last);
         // Whole pixels, less what is before the first, and what is in the last.
-        starts_[std::size_t(first)] += steps_of_pixel;
-        starts_[std::size_t(last)] -= steps_of_pixel;
-        parts_[std::size_t(first)] -= begin % steps_of_pixel;
-        parts_[std::size_t(last)] += end % steps_of_pixel;
+        starts_[std::size_t(first)] += kStepsOfPixel;
+        starts_[std::size_t(last)] -= kStepsOfPixel;
+        parts_[std::size_t(first)] -= begin % kStepsOfPixel;
+        parts_[std::size_t(last)] += end % kStepsOfPixel;
     }
 
     /// Paints the row and starts over.
@@ -87,7 +87,7 @@ public:
             const int share = covered + std::exchange(parts_[std::size_t(x)], 0);
             if (share > 0)
                 row[x] =
-                    std::uint8_t((gray * share + row[x] * (whole - share) + whole / 2) / whole);
+                    std::uint8_t((gray * share + row[x] * (kWhole - share) + kWhole / 2) / kWhole);
         }
         from_ = limit_;
         to_ = -1;
@@ -109,10 +109,10 @@ void cover(std::vector<Crossing>& crossings, FillRule rule, Coverage& coverage) 
     }
 }
 
-constexpr double roundness = 0.03;  // pixels of a round tip that its polygon may leave out
+constexpr double kRoundness = 0.03;  // pixels of a round tip that its polygon may leave out
 
 /// To the left of a direction where y is down.
-Point leftOf(const Point& direction) {
+Point left_of(const Point& direction) {
     return {direction.y(), -direction.x()};
 }
 
@@ -136,7 +136,7 @@ public:
                 end(line[i - 1], -direction);
             else
                 join(line[i - 1], before, direction);
-            const Point side = radius_ * leftOf(direction);
+            const Point side = radius_ * left_of(direction);
             polygons_.push_back(
                 {line[i - 1] + side, line[i] + side, line[i] - side, line[i - 1] - side});
             before = direction;
@@ -151,22 +151,22 @@ private:
     void join(const Point& p, const Point& before, const Point& after) {
         const double turn = cross(before, after);
         if (before.dot(after) < 0) {
-            halfCircle(p, before);
-            halfCircle(p, -after);
+            half_circle(p, before);
+            half_circle(p, -after);
         } else if (turn > 0) {
-            sector(p, leftOf(before), leftOf(after));
+            sector(p, left_of(before), left_of(after));
         } else if (turn < 0) {
-            sector(p, -leftOf(after), -leftOf(before));
+            sector(p, -left_of(after), -left_of(before));
         }
     }
 
     void end(const Point& p, const Point& outwards) {
-        if (is_round_) halfCircle(p, outwards);
+        if (is_round_) half_circle(p, outwards);
     }
 
-    void halfCircle(const Point& p, const Point& middle) {
-        sector(p, leftOf(middle), middle);
-        sector(p, middle, -leftOf(middle));
+    void half_circle(const Point& p, const Point& middle) {
+        sector(p, left_of(middle), middle);
+        sector(p, middle, -left_of(middle));
     }
 
     /// For turns of at most a right angle.
@@ -179,7 +179,7 @@ private:
     void arc(const Point& p, const Point& from, const Point& to, Polygon& polygon) const {
         const Point sum = from + to;
         const double height = radius_ * (1 - sum.norm() / 2);  // above the chord
-        if (height <= roundness) return polygon.push_back(p + radius_ * to);
+        if (height <= kRoundness) return polygon.push_back(p + radius_ * to);
         const Point middle = sum.normalized();
         arc(p, from, middle, polygon);
         arc(p, middle, to, polygon);
@@ -191,7 +191,7 @@ private:
 };
 
 /// Begins with a dash.
-std::vector<Polygon> dashesOf(const Polygon& line, double dash) {
+std::vector<Polygon> dashes_of(const Polygon& line, double dash) {
     std::vector<Polygon> dashes;
     double rest = 0;  // until a dash ends or begins
     bool is_dash = false;
@@ -219,8 +219,8 @@ Canvas::Canvas(int width, int height)
     : width_(width), height_(height), grays_(std::size_t(width) * std::size_t(height), 255) {}
 
 void Canvas::fill(const std::vector<Polygon>& polygons, FillRule rule, double tone) {
-    const int gray = int(std::lround(255 * tone)), line_count = height_ * lines_of_pixel;
-    const std::vector<Side> sides = sidesOf(polygons, line_count);
+    const int gray = int(std::lround(255 * tone)), line_count = height_ * kLinesOfPixel;
+    const std::vector<Side> sides = sides_of(polygons, line_count);
     Coverage coverage(width_);
     std::vector<Side> crossed;
     std::vector<Crossing> crossings;
@@ -239,18 +239,18 @@ void Canvas::fill(const std::vector<Polygon>& polygons, FillRule rule, double to
         }
         cover(crossings, rule, coverage);
         const bool is_last = crossed.empty() && next == sides.end();
-        if (is_last || line % lines_of_pixel == lines_of_pixel - 1)
-            coverage.paint(grays_.data() + std::size_t(line / lines_of_pixel) * std::size_t(width_),
+        if (is_last || line % kLinesOfPixel == kLinesOfPixel - 1)
+            coverage.paint(grays_.data() + std::size_t(line / kLinesOfPixel) * std::size_t(width_),
                            gray);
         if (is_last) break;
     }
 }
 
-void appendStroke(const Polygon& line, double width, double dash, std::vector<Polygon>& polygons) {
+void append_stroke(const Polygon& line, double width, double dash, std::vector<Polygon>& polygons) {
     Stroke stroke(width, dash == 0, polygons);
-    if (!isFinite(line)) return;
+    if (!is_finite(line)) return;
     if (dash == 0) return stroke.append(line);
-    for (const Polygon& part : dashesOf(line, dash))
+    for (const Polygon& part : dashes_of(line, dash))
         stroke.append(part);
 }
 

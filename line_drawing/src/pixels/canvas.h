@@ -36,6 +36,6 @@ private:
 /// A stroke as polygons for FillRule::NonZero, in pixels. The pen is round, dashes have flat ends
 /// and gaps of half their length. A line of one point gives nothing; one without length a dot,
 /// dashed nothing.
-void appendStroke(const Polygon& line, double width, double dash, std::vector<Polygon>& polygons);
+void append_stroke(const Polygon& line, double width, double dash, std::vector<Polygon>& polygons);
 
 }  // namespace line_drawing

@@ -7,7 +7,7 @@
 namespace line_drawing {
 
 /// The upper left part of a sheet. @throws std::bad_alloc
-Canvas paintGroups(const std::vector<SheetGroup>& groups, const Eigen::Vector2i& size,
-                   double pixels_per_mm);
+Canvas paint_groups(const std::vector<SheetGroup>& groups, const Eigen::Vector2i& size,
+                    double pixels_per_mm);
 
 }  // namespace line_drawing

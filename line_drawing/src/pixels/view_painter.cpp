@@ -16,12 +16,12 @@ namespace {
 using laplacian_lines::Progress;
 
 // Progress at which what hides lines and the lines within faces are ready.
-constexpr double sight_share = 0.3, lines_share = 0.7;
-constexpr double room_around = 12;                               // mm
-constexpr std::size_t most_kept_bytes = std::size_t(128) << 20;  // of extractors for other kernels
+constexpr double kSightShare = 0.3, kLinesShare = 0.7;
+constexpr double kRoomAround = 12;                              // mm
+constexpr std::size_t kMostKeptBytes = std::size_t(128) << 20;  // of extractors for other kernels
 
 /// In pixels, x right, y down.
-Eigen::Vector2d pixelOf(const Eigen::Vector3d& point, const WindowView& view) {
+Eigen::Vector2d pixel_of(const Eigen::Vector3d& point, const WindowView& view) {
     const Eigen::Vector4d clip = view.to_clip * point.homogeneous();
     const Eigen::Vector2d place = clip.head<2>() / clip.w();
     return (Eigen::Vector2d(1 + place.x(), 1 - place.y()) / 2)
@@ -30,53 +30,53 @@ Eigen::Vector2d pixelOf(const Eigen::Vector3d& point, const WindowView& view) {
 
 /// Of the view's picture on paper, whose upper left corner is that of the window: by a point in
 /// sight and one right of it.
-Placement placementOf(const WindowView& view, const Eigen::Vector3d& middle, double mm_per_unit,
-                      double reach) {
+Placement placement_of(const WindowView& view, const Eigen::Vector3d& middle, double mm_per_unit,
+                       double reach) {
     const Eigen::Vector3d seen =
         view.frame.eye ? Eigen::Vector3d(*view.frame.eye - reach * view.frame.towards_viewer)
                        : middle;
     const Eigen::Vector3d beside = seen + reach * view.frame.right;
     const Projection projection(view.frame, middle);
     const Eigen::Vector2d a = projection(seen) * mm_per_unit, b = projection(beside) * mm_per_unit;
-    const Eigen::Vector2d on_paper = pixelOf(seen, view) / view.pixels_per_mm;
+    const Eigen::Vector2d on_paper = pixel_of(seen, view) / view.pixels_per_mm;
     const double scale =
-        (pixelOf(beside, view).x() / view.pixels_per_mm - on_paper.x()) / (b.x() - a.x());
+        (pixel_of(beside, view).x() / view.pixels_per_mm - on_paper.x()) / (b.x() - a.x());
     return {scale, on_paper - scale * Eigen::Vector2d(a.x(), -a.y())};
 }
 
 /// Whether a line reaches the window, or is so near that lines in it may join it.
-bool isNear(const DrawnLine& line, const Placement& placement, const WindowView& window) {
+bool is_near(const DrawnLine& line, const Placement& placement, const WindowView& window) {
     const Eigen::Vector2d size = window.size.cast<double>() / window.pixels_per_mm,
-                          room = Eigen::Vector2d::Constant(room_around);
+                          room = Eigen::Vector2d::Constant(kRoomAround);
     Eigen::AlignedBox2d box;
     for (const DrawnPoint& point : line.points)
-        box.extend(placement.onSheet(point.position));
+        box.extend(placement.on_sheet(point.position));
     return Eigen::AlignedBox2d(-room, size + room).intersects(box);
 }
 
-bool isOf(const DrawnLine& line, const Ink& ink, bool hidden_apart) {
+bool is_of(const DrawnLine& line, const Ink& ink, bool hidden_apart) {
     const bool is_apart = hidden_apart && line.line_class == LineClass::Hidden;
     return ink.kinds[line.kind] && is_apart == ink.is_hidden;
 }
 
 /// Of a view, with the lines of one ink.
-std::vector<std::uint8_t> paintInk(const DrawnView& drawn, const Placement& placement,
-                                   const SheetOptions& options, const WindowView& window,
-                                   bool is_hidden, const Progress& progress) {
+std::vector<std::uint8_t> paint_ink(const DrawnView& drawn, const Placement& placement,
+                                    const SheetOptions& options, const WindowView& window,
+                                    bool is_hidden, const Progress& progress) {
     report(progress, 1, "Drawing");
-    SheetGroup group = drawView(drawn, 1, placement, options);
+    SheetGroup group = draw_view(drawn, 1, placement, options);
     for (SheetLayer& layer : group.layers)
         for (SheetPath& path : layer.paths)
             if (is_hidden) path.dash = 0;
     report(progress, 1, "Painting");
-    return paintGroups({std::move(group)}, window.size, window.pixels_per_mm).grays();
+    return paint_groups({std::move(group)}, window.size, window.pixels_per_mm).grays();
 }
 
 }  // namespace
 
 struct ViewPainter::Data {
     explicit Data(Objects all)
-        : objects(std::move(all)), observer(objects), lines(objects, most_kept_bytes) {}
+        : objects(std::move(all)), observer(objects), lines(objects, kMostKeptBytes) {}
 
     const Objects objects;
     Observer observer;
@@ -97,29 +97,29 @@ PaintedView ViewPainter::paint(const WindowView& view, SheetOptions options,
                                const std::vector<Ink>& inks, bool may_wait,
                                const Progress& progress) {
     Observer& observer = data_->observer;
-    prepare(part(progress, 0, sight_share));
+    prepare(part(progress, 0, kSightShare));
     DrawnView drawn = observer.stand(view.frame, options);
     const Placement placement =
-        placementOf(view, observer.middle(), options.mm_per_unit, observer.objectSize().norm());
-    options.pens = pensFor(placement.onSheet(drawn.bounds).sizes().maxCoeff(), options.pens);
+        placement_of(view, observer.middle(), options.mm_per_unit, observer.object_size().norm());
+    options.pens = pens_for(placement.on_sheet(drawn.bounds).sizes().maxCoeff(), options.pens);
     PaintedView painted{view.size};
     painted.is_final =
-        data_->lines.makeReady(options, placement.scale, may_wait ? Kernel::Exact : Kernel::AtHand,
-                               part(progress, sight_share, lines_share));
-    options.kernel = {data_->lines.kernelSize() * options.mm_per_unit * placement.scale, false};
-    report(progress, lines_share, "Finding lines");
-    const auto lines = data_->lines.extract(observer.viewOf(drawn, options), options.style);
-    observer.look(drawn, lines, options, part(progress, lines_share, 1));
+        data_->lines.make_ready(options, placement.scale, may_wait ? Kernel::Exact : Kernel::AtHand,
+                                part(progress, kSightShare, kLinesShare));
+    options.kernel = {data_->lines.kernel_size() * options.mm_per_unit * placement.scale, false};
+    report(progress, kLinesShare, "Finding lines");
+    const auto lines = data_->lines.extract(observer.view_of(drawn, options), options.style);
+    observer.look(drawn, lines, options, part(progress, kLinesShare, 1));
     std::vector<DrawnLine> all;
     for (DrawnLine& line : drawn.lines)
-        if (isNear(line, placement, view)) all.push_back(std::move(line));
+        if (is_near(line, placement, view)) all.push_back(std::move(line));
     const bool hidden_apart =
         std::any_of(inks.begin(), inks.end(), [](const Ink& ink) { return ink.is_hidden; });
     for (const Ink& ink : inks) {
         drawn.lines.clear();
         std::copy_if(all.begin(), all.end(), std::back_inserter(drawn.lines),
-                     [&](const DrawnLine& line) { return isOf(line, ink, hidden_apart); });
-        painted.inks.push_back(paintInk(drawn, placement, options, view, ink.is_hidden, progress));
+                     [&](const DrawnLine& line) { return is_of(line, ink, hidden_apart); });
+        painted.inks.push_back(paint_ink(drawn, placement, options, view, ink.is_hidden, progress));
     }
     return painted;
 }

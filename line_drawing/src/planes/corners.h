@@ -12,8 +12,8 @@ namespace line_drawing {
 /// Douglas and T. K. Peucker, "Algorithms for the Reduction of the Number of Points Required to
 /// Represent a Digitized Line or its Caricature" (1973).
 template <class Point>
-std::vector<std::size_t> cornersOf(const std::vector<Point>& points, std::size_t first,
-                                   std::size_t last, double tolerance) {
+std::vector<std::size_t> corners_of(const std::vector<Point>& points, std::size_t first,
+                                    std::size_t last, double tolerance) {
     std::vector<std::size_t> corners;
     std::vector<std::pair<std::size_t, std::size_t>> parts = {{first, last}};
     while (!parts.empty()) {

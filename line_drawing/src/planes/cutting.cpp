@@ -22,13 +22,13 @@ using laplacian_lines::Triangle;
 using laplacian_lines::TriangleMesh;
 using Place = std::array<double, 3>;
 
-Place placeOf(const Vector3d& p) {
+Place place_of(const Vector3d& p) {
     return {p.x(), p.y(), p.z()};
 }
 
 /// The same from both triangles of an edge.
-Vector3d crossingOf(Vector3d a, Vector3d b, int axis, double height) {
-    if (placeOf(b) < placeOf(a)) std::swap(a, b);
+Vector3d crossing_of(Vector3d a, Vector3d b, int axis, double height) {
+    if (place_of(b) < place_of(a)) std::swap(a, b);
     const double t = (height - a[axis]) / (b[axis] - a[axis]);
     Vector3d crossing = a + t * (b - a);
     crossing[axis] = height;
@@ -40,8 +40,8 @@ struct Piece {
     bool used = false;
 };
 
-std::vector<Piece> piecesOf(const std::vector<Vector3d>& positions,
-                            const std::vector<Triangle>& triangles, int axis, double height) {
+std::vector<Piece> pieces_of(const std::vector<Vector3d>& positions,
+                             const std::vector<Triangle>& triangles, int axis, double height) {
     std::vector<Piece> pieces;
     for (const Triangle& t : triangles) {
         std::array<Vector3d, 3> p;
@@ -56,7 +56,7 @@ std::vector<Piece> piecesOf(const std::vector<Vector3d>& positions,
             const std::size_t next = (k + 1) % 3;
             if (above[k] == above[next]) continue;
             // From a side that rises to one that falls: neighbours agree if they face alike.
-            (above[next] ? piece.begin : piece.end) = crossingOf(p[k], p[next], axis, height);
+            (above[next] ? piece.begin : piece.end) = crossing_of(p[k], p[next], axis, height);
             ++found;
         }
         if (found == 2 && piece.begin.allFinite() && piece.end.allFinite() &&
@@ -69,11 +69,11 @@ std::vector<Piece> piecesOf(const std::vector<Vector3d>& positions,
 using Strip = std::pair<double, double>;
 
 /// Parts of a line that the areas cover together.
-std::vector<Strip> stripsAt(const std::vector<Loops>& areas, const Vector2d& direction,
-                            double offset) {
+std::vector<Strip> strips_at(const std::vector<Loops>& areas, const Vector2d& direction,
+                             double offset) {
     std::vector<Strip> all, joined;
     for (const Loops& loops : areas) {
-        const std::vector<double> crossings = crossingsAt(loops, direction, offset);
+        const std::vector<double> crossings = crossings_at(loops, direction, offset);
         for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
             all.emplace_back(crossings[i], crossings[i + 1]);
     }
@@ -86,21 +86,21 @@ std::vector<Strip> stripsAt(const std::vector<Loops>& areas, const Vector2d& dir
     return joined;
 }
 
-Vector3d positionOf(const LinePoint& p) {
+Vector3d position_of(const LinePoint& p) {
     return p.position.cast<double>();
 }
-const Vector3d& positionOf(const Vector3d& p) {
+const Vector3d& position_of(const Vector3d& p) {
     return p;
 }
 LinePoint between(const LinePoint& a, const LinePoint& b, double t) {
     const auto mix = [t](float x, float y) { return float((1 - t) * double(x) + t * double(y)); };
-    return {((1 - t) * positionOf(a) + t * positionOf(b)).cast<float>(), mix(a.weight, b.weight),
+    return {((1 - t) * position_of(a) + t * position_of(b)).cast<float>(), mix(a.weight, b.weight),
             mix(a.gradient, b.gradient), mix(a.opacity, b.opacity)};
 }
 Vector3d between(const Vector3d& a, const Vector3d& b, double t) {
     return (1 - t) * a + t * b;
 }
-const Vector3d& positionOf(const SightPoint& p) {
+const Vector3d& position_of(const SightPoint& p) {
     return p.position;
 }
 SightPoint between(const SightPoint& a, const SightPoint& b, double t) {
@@ -112,17 +112,17 @@ SightPoint between(const SightPoint& a, const SightPoint& b, double t) {
 
 template <class Point>
 Point crossing(const Point& a, const Point& b, const HalfSpace& inside) {
-    const double at_a = inside.depth(positionOf(a)), at_b = inside.depth(positionOf(b));
+    const double at_a = inside.depth(position_of(a)), at_b = inside.depth(position_of(b));
     return between(a, b, at_a / (at_a - at_b));
 }
 
 template <class Point>
-std::vector<std::vector<Point>> runsInside(const Point* points, std::size_t count,
-                                           const HalfSpace& inside) {
+std::vector<std::vector<Point>> runs_inside(const Point* points, std::size_t count,
+                                            const HalfSpace& inside) {
     std::vector<std::vector<Point>> runs;
     bool was_inside = false;
     for (std::size_t i = 0; i < count; ++i) {
-        const bool is_inside = inside.depth(positionOf(points[i])) >= 0;
+        const bool is_inside = inside.depth(position_of(points[i])) >= 0;
         if (is_inside && !was_inside) runs.emplace_back();
         if (i > 0 && is_inside != was_inside)
             runs.back().push_back(crossing(points[i - 1], points[i], inside));
@@ -135,18 +135,18 @@ std::vector<std::vector<Point>> runsInside(const Point* points, std::size_t coun
 }  // namespace
 
 std::vector<Cut> CuttableMesh::cut(int axis, double height) const {
-    std::vector<Piece> pieces = piecesOf(positions_, triangles_, axis, height);
+    std::vector<Piece> pieces = pieces_of(positions_, triangles_, axis, height);
     std::multimap<Place, std::pair<std::size_t, bool>> ends;  // begins before others
     for (const bool is_end : {false, true})
         for (std::size_t i = 0; i < pieces.size(); ++i)
-            ends.emplace(placeOf(is_end ? pieces[i].end : pieces[i].begin), std::pair(i, is_end));
+            ends.emplace(place_of(is_end ? pieces[i].end : pieces[i].begin), std::pair(i, is_end));
     std::vector<Cut> cuts;
     const auto follow = [&](std::size_t i, bool is_backwards) {
         Cut cut = {is_backwards ? pieces[i].end : pieces[i].begin};
         for (bool goes_on = true; goes_on;) {
             pieces[i].used = true;
             cut.push_back(is_backwards ? pieces[i].begin : pieces[i].end);
-            const auto [first, last] = ends.equal_range(placeOf(cut.back()));
+            const auto [first, last] = ends.equal_range(place_of(cut.back()));
             const auto on = std::find_if(
                 first, last, [&](const auto& end) { return !pieces[end.second.first].used; });
             goes_on = on != last;
@@ -155,7 +155,7 @@ std::vector<Cut> CuttableMesh::cut(int axis, double height) const {
         cuts.push_back(std::move(cut));
     };
     const auto is_open = [&](const Vector3d& place) {
-        const auto [first, last] = ends.equal_range(placeOf(place));
+        const auto [first, last] = ends.equal_range(place_of(place));
         return std::distance(first, last) % 2 == 1 &&
                first->second.second == std::prev(last)->second.second;  // all begin or all end
     };
@@ -169,7 +169,7 @@ std::vector<Cut> CuttableMesh::cut(int axis, double height) const {
     return cuts;
 }
 
-std::vector<double> crossingsAt(const Loops& loops, const Vector2d& direction, double offset) {
+std::vector<double> crossings_at(const Loops& loops, const Vector2d& direction, double offset) {
     const Vector2d across(-direction.y(), direction.x());
     std::vector<double> crossings;
     for (const auto& loop : loops)
@@ -195,7 +195,7 @@ std::vector<std::vector<Vector2d>> hatch(const std::vector<Loops>& areas, const 
             }
     std::vector<std::vector<Vector2d>> lines;
     for (double at = (std::floor(low / spacing) + 0.5) * spacing; at < high; at += spacing) {
-        for (const auto& [begin, end] : stripsAt(areas, direction, at))
+        for (const auto& [begin, end] : strips_at(areas, direction, at))
             lines.push_back({at * across + begin * direction, at * across + end * direction});
     }
     return lines;
@@ -204,7 +204,7 @@ std::vector<std::vector<Vector2d>> hatch(const std::vector<Loops>& areas, const 
 LineSet clip(const LineSet& lines, const HalfSpace& inside) {
     LineSet result;
     for (const Polyline& line : lines.lines)
-        for (const auto& run : runsInside(lines.points.data() + line.first, line.count, inside)) {
+        for (const auto& run : runs_inside(lines.points.data() + line.first, line.count, inside)) {
             if (run.size() < 2) continue;
             Polyline part = line;
             part.first = std::uint32_t(result.points.size());
@@ -219,7 +219,7 @@ LineSet clip(const LineSet& lines, const HalfSpace& inside) {
 std::vector<SightLine> clip(const std::vector<SightLine>& lines, const HalfSpace& inside) {
     std::vector<SightLine> result;
     for (const SightLine& line : lines)
-        for (auto& run : runsInside(line.points.data(), line.points.size(), inside)) {
+        for (auto& run : runs_inside(line.points.data(), line.points.size(), inside)) {
             if (run.size() < 2) continue;
             SightLine part = line;
             part.closed = line.closed && run.size() == line.points.size();
@@ -239,13 +239,13 @@ std::vector<Cut> clip(const std::vector<Cut>& lines, const HalfSpace& inside) {
             std::rotate(line.begin(), first, line.end());
             line.push_back(line.front());
         }
-        for (Cut& run : runsInside(line.data(), line.size(), inside))
+        for (Cut& run : runs_inside(line.data(), line.size(), inside))
             if (run.size() > 1) result.push_back(std::move(run));
     }
     return result;
 }
 
-Cut clipLoop(const Cut& loop, const HalfSpace& inside) {
+Cut clip_loop(const Cut& loop, const HalfSpace& inside) {
     Cut result;
     for (std::size_t i = 0; i < loop.size(); ++i) {
         const bool is_inside = inside.depth(loop[i]) >= 0;
@@ -273,7 +273,7 @@ TriangleMesh clip(const TriangleMesh& mesh, const HalfSpace& inside) {
         if (kept == 3) result.triangles.push_back(t);
         if (kept == 0 || kept == 3) continue;
         loop.push_back(loop.front());
-        loop = clipLoop(loop, inside);
+        loop = clip_loop(loop, inside);
         const auto first = std::uint32_t(result.positions.size());
         result.positions.insert(result.positions.end(), loop.begin(), loop.end() - 1);
         for (std::uint32_t i = 2; i + 1 < loop.size(); ++i)

@@ -32,8 +32,8 @@ using Loops = std::vector<std::vector<Eigen::Vector2d>>;
 
 /// Where the line in the unit direction `direction`, `offset` to the left of the origin, enters and
 /// leaves what loops enclose (even-odd): places along it, ascending.
-std::vector<double> crossingsAt(const Loops& loops, const Eigen::Vector2d& direction,
-                                double offset);
+std::vector<double> crossings_at(const Loops& loops, const Eigen::Vector2d& direction,
+                                 double offset);
 
 /// Hatching lines of two points, `spacing` apart in the unit direction `direction`, within the
 /// union of areas.
@@ -56,7 +56,7 @@ std::vector<laplacian_lines::SightLine> clip(const std::vector<laplacian_lines::
 std::vector<Cut> clip(const std::vector<Cut>& lines, const HalfSpace& inside);
 
 /// A loop around what is within both (even-odd); it may run along the plane several times.
-Cut clipLoop(const Cut& loop, const HalfSpace& inside);
+Cut clip_loop(const Cut& loop, const HalfSpace& inside);
 
 /// The surface inside; cuts triangles along the plane.
 laplacian_lines::TriangleMesh clip(const laplacian_lines::TriangleMesh& mesh,

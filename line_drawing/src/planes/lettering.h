@@ -14,15 +14,15 @@ namespace line_drawing {
 // boxes.
 
 /// For a font of height 1.
-double widthOf(char32_t letter);
-double widthOf(const std::string& text);
+double width_of(char32_t letter);
+double width_of(const std::string& text);
 
-SheetPath outlinesOf(const SheetText& text);
+SheetPath outlines_of(const SheetText& text);
 
 /// The first letter that would become a box, or nothing.
-std::string lackingLetter(const std::string& text);
+std::string lacking_letter(const std::string& text);
 
 /// ../../letters/letters.ttf; CMake writes its source.
-extern const std::string_view letters_font;
+extern const std::string_view kLettersFont;
 
 }  // namespace line_drawing

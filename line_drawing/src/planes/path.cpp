@@ -8,10 +8,10 @@ namespace {
 
 using Point = Path::Point;
 
-constexpr double quarter_handle = 0.5522847498;  // of a curve for a quarter of a circle; of 1
-constexpr int most_halvings = 9;
+constexpr double kQuarterHandle = 0.5522847498;  // of a curve for a quarter of a circle; of 1
+constexpr int kMostHalvings = 9;
 
-bool isSame(const Point& p, const Point& q) {
+bool is_same(const Point& p, const Point& q) {
     return (p - q).lpNorm<Eigen::Infinity>() <= 1e-12;
 }
 
@@ -20,7 +20,7 @@ double manhattan(const Point& p) {
 }
 
 /// Whether both handles together are nearer than `tolerance` to the line from begin to end.
-bool isFlat(const Point& begin, const Path::Piece& curve, double tolerance) {
+bool is_flat(const Point& begin, const Path::Piece& curve, double tolerance) {
     const Point way = curve.end - begin, first = begin - curve.first, second = begin - curve.second;
     const double length = manhattan(way);
     if (length <= 2 * tolerance) return manhattan(first) + manhattan(second) < tolerance;
@@ -30,7 +30,7 @@ bool isFlat(const Point& begin, const Path::Piece& curve, double tolerance) {
 
 void flatten(const Point& begin, const Path::Piece& curve, double tolerance, int halvings,
              std::vector<Point>& points) {
-    if (halvings == 0 || isFlat(begin, curve, tolerance)) return points.push_back(curve.end);
+    if (halvings == 0 || is_flat(begin, curve, tolerance)) return points.push_back(curve.end);
     const Point a = (begin + curve.first) / 2, b = (curve.first + curve.second) / 2,
                 c = (curve.second + curve.end) / 2, ab = (a + b) / 2, bc = (b + c) / 2,
                 middle = (ab + bc) / 2;
@@ -38,14 +38,14 @@ void flatten(const Point& begin, const Path::Piece& curve, double tolerance, int
     flatten(middle, {Path::Step::Curve, curve.end, bc, c}, tolerance, halvings - 1, points);
 }
 
-double coordinateAt(double t, double a, double b, double c, double d) {
+double coordinate_at(double t, double a, double b, double c, double d) {
     const double s = 1 - t;
     return s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d;
 }
 
 /// Adds where a coordinate of a curve turns back.
-void extendToTurns(const Point& begin, const Path::Piece& curve, int axis,
-                   Eigen::AlignedBox2d& box) {
+void extend_to_turns(const Point& begin, const Path::Piece& curve, int axis,
+                     Eigen::AlignedBox2d& box) {
     const double a = begin[axis], b = curve.first[axis], c = curve.second[axis],
                  d = curve.end[axis];
     const double square = d - 3 * c + 3 * b - a, half = c - 2 * b + a, rest = b - a;
@@ -53,7 +53,7 @@ void extendToTurns(const Point& begin, const Path::Piece& curve, int axis,
     const double sum = -half - std::copysign(root, half);
     for (const double t : {sum / square, rest / sum})
         if (t > 0 && t < 1) {
-            const double turn = coordinateAt(t, a, b, c, d);
+            const double turn = coordinate_at(t, a, b, c, d);
             box.min()[axis] = std::min(box.min()[axis], turn);
             box.max()[axis] = std::max(box.max()[axis], turn);
         }
@@ -61,16 +61,16 @@ void extendToTurns(const Point& begin, const Path::Piece& curve, int axis,
 
 }  // namespace
 
-void Path::moveTo(const Point& p) {
+void Path::move_to(const Point& p) {
     if (!pieces.empty() && pieces.back().step == Step::Move) pieces.pop_back();
     pieces.push_back({Step::Move, p});
 }
 
-void Path::lineTo(const Point& p) {
-    if (!isSame(pieces.back().end, p)) pieces.push_back({Step::Line, p});
+void Path::line_to(const Point& p) {
+    if (!is_same(pieces.back().end, p)) pieces.push_back({Step::Line, p});
 }
 
-void Path::curveTo(const Point& first, const Point& second, const Point& end) {
+void Path::curve_to(const Point& first, const Point& second, const Point& end) {
     const Point& begin = pieces.back().end;
     if (begin != first || first != second || second != end)
         pieces.push_back({Step::Curve, end, first, second});
@@ -80,24 +80,24 @@ void Path::close() {
     auto begin = pieces.rbegin();
     while (begin->step != Step::Move)
         ++begin;
-    lineTo(Point(begin->end));
+    line_to(Point(begin->end));
 }
 
-void Path::addRectangle(const Point& corner, double width, double height) {
-    moveTo(corner);
-    lineTo(corner + Point(width, 0));
-    lineTo(corner + Point(width, height));
-    lineTo(corner + Point(0, height));
+void Path::add_rectangle(const Point& corner, double width, double height) {
+    move_to(corner);
+    line_to(corner + Point(width, 0));
+    line_to(corner + Point(width, height));
+    line_to(corner + Point(0, height));
     close();
 }
 
-void Path::addCircle(const Point& center, double radius) {
+void Path::add_circle(const Point& center, double radius) {
     Point out(radius, 0);
-    moveTo(center + out);
+    move_to(center + out);
     for (int quarter = 0; quarter < 4; ++quarter) {
         const Point next(-out.y(), out.x());
-        curveTo(center + out + quarter_handle * next, center + next + quarter_handle * out,
-                center + next);
+        curve_to(center + out + kQuarterHandle * next, center + next + kQuarterHandle * out,
+                 center + next);
         out = next;
     }
 }
@@ -116,7 +116,7 @@ Eigen::AlignedBox2d Path::bounds() const {
         box.extend(pieces[i].end);
         if (pieces[i].step == Step::Curve)
             for (const int axis : {0, 1})
-                extendToTurns(pieces[i - 1].end, pieces[i], axis, box);
+                extend_to_turns(pieces[i - 1].end, pieces[i], axis, box);
     }
     return box;
 }
@@ -129,7 +129,7 @@ std::vector<std::vector<Point>> Path::flattened(double tolerance) const {
         else if (pieces[i].step == Step::Line)
             lines.back().push_back(pieces[i].end);
         else
-            flatten(pieces[i - 1].end, pieces[i], tolerance, most_halvings, lines.back());
+            flatten(pieces[i - 1].end, pieces[i], tolerance, kMostHalvings, lines.back());
     }
     return lines;
 }

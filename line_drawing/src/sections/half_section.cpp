@@ -17,14 +17,14 @@ using Eigen::Vector3d;
 using laplacian_lines::Triangle;
 using laplacian_lines::TriangleMesh;
 
-constexpr int rounds = 30, rounds_in_space = 10;
-constexpr std::size_t most_in_space = 50000;  // triangles; more tell nothing else
-constexpr double least_miss = 1e-3;           // of the size: misses below it weigh the same
-constexpr double near_miss = 0.25;  // of the distance: of normals that meet the axis, 15 degrees
-constexpr double rim_share = 0.1;   // of the height
-constexpr int directions = 72;      // around the axis
-constexpr int parts_of_side = 8;
-constexpr double turn = 6.283185307179586;
+constexpr int kRounds = 30, kRoundsInSpace = 10;
+constexpr std::size_t kMostInSpace = 50000;  // triangles; more tell nothing else
+constexpr double kLeastMiss = 1e-3;          // of the size: misses below it weigh the same
+constexpr double kNearMiss = 0.25;  // of the distance: of normals that meet the axis, 15 degrees
+constexpr double kRimShare = 0.1;   // of the height
+constexpr int kDirections = 72;     // around the axis
+constexpr int kPartsOfSide = 8;
+constexpr double kTurn = 6.283185307179586;
 
 /// Along the axis: a triangle's middle, and its normal turned by 90 degrees, as long as the part of
 /// its area that faces sideways.
@@ -32,7 +32,7 @@ struct Facet {
     Vector2d middle, across;
 };
 
-std::vector<Facet> facetsOf(const TriangleMesh& mesh, int up) {
+std::vector<Facet> facets_of(const TriangleMesh& mesh, int up) {
     const int x = (up + 1) % 3, y = (up + 2) % 3;
     std::vector<Facet> facets;
     for (const Triangle& t : mesh.triangles) {
@@ -46,8 +46,8 @@ std::vector<Facet> facetsOf(const TriangleMesh& mesh, int up) {
 }
 
 /// The point that the facets' normals miss least, by the sum of misses, not of their squares.
-Vector2d meetingPoint(const std::vector<Facet>& facets, Vector2d point, double size) {
-    for (int round = 0; round < rounds; ++round) {
+Vector2d meeting_point(const std::vector<Facet>& facets, Vector2d point, double size) {
+    for (int round = 0; round < kRounds; ++round) {
         Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
         Vector2d right = Vector2d::Zero();
         for (const Facet& facet : facets) {
@@ -55,7 +55,7 @@ Vector2d meetingPoint(const std::vector<Facet>& facets, Vector2d point, double s
             if (area == 0) continue;
             const Vector2d across = facet.across / area;
             const double miss = std::abs(across.dot(point - facet.middle));
-            const Vector2d weighted = area / std::max(miss, least_miss * size) * across;
+            const Vector2d weighted = area / std::max(miss, kLeastMiss * size) * across;
             sum += weighted * across.transpose();
             right += weighted * across.dot(facet.middle);
         }
@@ -65,13 +65,13 @@ Vector2d meetingPoint(const std::vector<Facet>& facets, Vector2d point, double s
     return point;
 }
 
-double shareThatMeets(const std::vector<Facet>& facets, const Vector2d& axis) {
+double share_that_meets(const std::vector<Facet>& facets, const Vector2d& axis) {
     double all = 0, meeting = 0;
     for (const Facet& facet : facets) {
         const double area = facet.across.norm();
         const Vector2d from_axis = facet.middle - axis;
         all += area;
-        if (std::abs(facet.across.dot(from_axis)) < near_miss * area * from_axis.norm())
+        if (std::abs(facet.across.dot(from_axis)) < kNearMiss * area * from_axis.norm())
             meeting += area;
     }
     return all > 0 ? meeting / all : 0;
@@ -79,12 +79,12 @@ double shareThatMeets(const std::vector<Facet>& facets, const Vector2d& axis) {
 
 /// The line that all normals miss least, in any direction: a normal n at p meets the line of
 /// direction d and moment m if d · (p × n) + m · n = 0. Returns d.
-Vector3d directionOfAxis(const TriangleMesh& mesh, const Vector3d& middle, double size) {
+Vector3d direction_of_axis(const TriangleMesh& mesh, const Vector3d& middle, double size) {
     using Matrix6 = Eigen::Matrix<double, 6, 6>;
     using Vector6 = Eigen::Matrix<double, 6, 1>;
     Vector6 line = Vector6::Zero();
-    const std::size_t step = mesh.triangles.size() / most_in_space + 1;
-    for (int round = 0; round < rounds_in_space; ++round) {
+    const std::size_t step = mesh.triangles.size() / kMostInSpace + 1;
+    for (int round = 0; round < kRoundsInSpace; ++round) {
         Matrix6 sum = Matrix6::Zero();
         for (std::size_t i = 0; i < mesh.triangles.size(); i += step) {
             const Triangle& t = mesh.triangles[i];
@@ -96,7 +96,7 @@ Vector3d directionOfAxis(const TriangleMesh& mesh, const Vector3d& middle, doubl
             row << ((a + b + c) / 3 - middle).cross(normal) / size, normal;
             const double miss = std::abs(row.dot(line));
             sum +=
-                area.norm() / (round == 0 ? 1 : std::max(miss, least_miss)) * row * row.transpose();
+                area.norm() / (round == 0 ? 1 : std::max(miss, kLeastMiss)) * row * row.transpose();
         }
         const Eigen::Matrix3d of_moments = sum.bottomRightCorner<3, 3>(),
                               mixed = sum.topRightCorner<3, 3>();
@@ -110,25 +110,25 @@ Vector3d directionOfAxis(const TriangleMesh& mesh, const Vector3d& middle, doubl
 }
 
 /// From the surface's lower or upper end along `up`.
-double shareOfRim(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, int up, bool looks_up,
-                  const Vector2d& axis) {
+double share_of_rim(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, int up, bool looks_up,
+                    const Vector2d& axis) {
     const int x = (up + 1) % 3, y = (up + 2) % 3;
-    const double reach = rim_share * box.sizes()[up];
-    std::array<bool, directions> is_there{};
+    const double reach = kRimShare * box.sizes()[up];
+    std::array<bool, kDirections> is_there{};
     const auto add = [&](const Vector3d& p) {
         const double depth = looks_up ? box.max()[up] - p[up] : p[up] - box.min()[up];
         if (!(depth <= reach)) return;
         const double angle = std::atan2(p[y] - axis.y(), p[x] - axis.x());
-        is_there[std::size_t(std::floor((angle / turn + 0.5) * directions)) % directions] = true;
+        is_there[std::size_t(std::floor((angle / kTurn + 0.5) * kDirections)) % kDirections] = true;
     };
     for (const Triangle& t : mesh.triangles)
         for (int side = 0; side < 3; ++side)  // coarse ones reach over several directions
-            for (int part = 0; part < parts_of_side; ++part) {
+            for (int part = 0; part < kPartsOfSide; ++part) {
                 const Vector3d &a = mesh.positions[t[std::size_t(side)]],
                                &b = mesh.positions[t[std::size_t(side + 1) % 3]];
-                add(a + double(part) / parts_of_side * (b - a));
+                add(a + double(part) / kPartsOfSide * (b - a));
             }
-    return double(std::count(is_there.begin(), is_there.end(), true)) / directions;
+    return double(std::count(is_there.begin(), is_there.end(), true)) / kDirections;
 }
 
 /// The axis around which a vessel was thrown, along the mesh's axis `up`: the normals of a surface
@@ -136,43 +136,43 @@ double shareOfRim(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, int 
 /// box if normals do not tell. `looks_up`: upright along `up`, or upside down. By the linear
 /// complex of normals, H. Pottmann, T. Randrup, "Rotational and helical surface approximation for
 /// reverse engineering", Computing 60 (1998), with iterated weights.
-VesselAxis findAxis(const TriangleMesh& mesh, int up, bool looks_up) {
+VesselAxis find_axis(const TriangleMesh& mesh, int up, bool looks_up) {
     const int x = (up + 1) % 3, y = (up + 2) % 3;
-    const Eigen::AlignedBox3d box = boundsOf(mesh);
+    const Eigen::AlignedBox3d box = bounds_of(mesh);
     VesselAxis axis{box.center()};
     Vector3d& point = axis.point;
-    const std::vector<Facet> facets = facetsOf(mesh, up);
-    const Vector2d found = meetingPoint(facets, {point[x], point[y]}, box.sizes().maxCoeff());
+    const std::vector<Facet> facets = facets_of(mesh, up);
+    const Vector2d found = meeting_point(facets, {point[x], point[y]}, box.sizes().maxCoeff());
     const bool is_inside = found.x() > box.min()[x] && found.x() < box.max()[x] &&
                            found.y() > box.min()[y] && found.y() < box.max()[y];
     if (is_inside) point[x] = found.x(), point[y] = found.y();
     point[up] = 0;
     const Vector2d seen(point[x], point[y]);
-    axis.round = shareThatMeets(facets, seen);
-    const Vector3d own = directionOfAxis(mesh, box.center(), box.sizes().maxCoeff());
-    axis.lean = std::acos(std::min(1.0, std::abs(own[up]))) * 360 / turn;
-    axis.rim = shareOfRim(mesh, box, up, looks_up, seen);
+    axis.round = share_that_meets(facets, seen);
+    const Vector3d own = direction_of_axis(mesh, box.center(), box.sizes().maxCoeff());
+    axis.lean = std::acos(std::min(1.0, std::abs(own[up]))) * 360 / kTurn;
+    axis.rim = share_of_rim(mesh, box, up, looks_up, seen);
     return axis;
 }
 
-constexpr double level_share = 0.003;  // of the height: what counts as the level of rim or base
-constexpr double least_span = 0.1;     // of the height: a round base is not a line
+constexpr double kLevelShare = 0.003;  // of the height: what counts as the level of rim or base
+constexpr double kLeastSpan = 0.1;     // of the height: a round base is not a line
 
 // For VesselAxis. Of a cube .25 is round; a pot of 200 mm that leans by 5 degrees has its section 9
 // mm off its axis at both ends.
-constexpr double least_round = 0.4, least_rim = 0.5, most_lean = 5;
+constexpr double kLeastRound = 0.4, kLeastRim = 0.5, kMostLean = 5;
 
 std::string percent(double share) {
-    return inDigits(std::floor(100 * share + 1e-9)) + " %";
+    return in_digits(std::floor(100 * share + 1e-9)) + " %";
 }
 
-int axisAlong(const Vector3d& direction) {
+int axis_along(const Vector3d& direction) {
     int axis = 0;
     direction.cwiseAbs().maxCoeff(&axis);
     return axis;
 }
 
-DrawnLine lineOf(const Vector2d& begin, const Vector2d& end) {
+DrawnLine line_of(const Vector2d& begin, const Vector2d& end) {
     return {LineClass::Inner, false, {{begin, 1}, {end, 1}}};
 }
 
@@ -180,7 +180,7 @@ DrawnLine lineOf(const Vector2d& begin, const Vector2d& end) {
 struct Level {
     Vector2d left, right;
 };
-Level levelOf(const std::vector<Vector2d>& points, double sign, double reach) {
+Level level_of(const std::vector<Vector2d>& points, double sign, double reach) {
     double height = -INFINITY;
     for (const Vector2d& p : points)
         height = std::max(height, sign * p.y());
@@ -196,33 +196,33 @@ Level levelOf(const std::vector<Vector2d>& points, double sign, double reach) {
 }  // namespace
 
 HalfSection::HalfSection(const TriangleMesh& all, const ViewFrame& frame)
-    : axis_(findAxis(all, axisAlong(frame.up), frame.up.sum() > 0)),
+    : axis_(find_axis(all, axis_along(frame.up), frame.up.sum() > 0)),
       behind_{-frame.towards_viewer, -frame.towards_viewer.dot(axis_.point)},
       right_{frame.right, frame.right.dot(axis_.point)} {}
 
-void HalfSection::expectVessel() const {
+void HalfSection::expect_vessel() const {
     const auto say = [](const std::string& what) {
         refuse(what +
                " Vessel views take a vessel that stands upright, nearly whole. Fix that, or "
                "take other views and a section.");
     };
-    if (axis_.round < least_round)
+    if (axis_.round < kLeastRound)
         say("Of what faces sideways, only " + percent(axis_.round) + " is round about one axis.");
-    if (axis_.lean > most_lean)
-        say("The vessel's axis leans by " + inDecimals(axis_.lean, 0) + " degrees.");
-    if (axis_.rim < least_rim)
+    if (axis_.lean > kMostLean)
+        say("The vessel's axis leans by " + in_decimals(axis_.lean, 0) + " degrees.");
+    if (axis_.rim < kLeastRim)
         say("The rim goes only " + percent(axis_.rim) + " of the way around the axis.");
 }
 
 std::string HalfSection::words() const {
-    return "rim " + percent(axis_.rim) + ", axis off by " + inDecimals(axis_.lean, 1) + "°";
+    return "rim " + percent(axis_.rim) + ", axis off by " + in_decimals(axis_.lean, 1) + "°";
 }
 
 void HalfSection::draw(DrawnView& drawn, const std::vector<CuttableMesh>& all,
                        const Vector3d& middle, double unit) const {
-    const int across = axisAlong(behind_.normal);
+    const int across = axis_along(behind_.normal);
     const Projection projection(drawn.frame, middle);
-    const auto flat = [&](const Cut& cut) { return positionsOf(project(cut, projection, unit)); };
+    const auto flat = [&](const Cut& cut) { return positions_of(project(cut, projection, unit)); };
     std::vector<Vector2d> points;
     std::vector<CutObject> objects;
     for (const CuttableMesh& object : all) {
@@ -231,24 +231,24 @@ void HalfSection::draw(DrawnView& drawn, const std::vector<CuttableMesh>& all,
         for (Cut& cut : object.cut(across, axis_.point[across])) {
             const std::vector<Vector2d> line = flat(cut);
             points.insert(points.end(), line.begin(), line.end());
-            const Cut loop = cut.front() == cut.back() ? clipLoop(cut, left()) : Cut();
+            const Cut loop = cut.front() == cut.back() ? clip_loop(cut, left()) : Cut();
             if (!loop.empty()) parts.wall.push_back(flat(loop));
             cut_lines.push_back(std::move(cut));
         }
-        drawn.lines = withoutPartsIn(WallArea(parts.wall), drawn.lines);
+        drawn.lines = without_parts_in(WallArea(parts.wall), drawn.lines);
         for (const Cut& cut : clip(cut_lines, left()))
             parts.lines.push_back(project(cut, projection, unit));
         objects.push_back(std::move(parts));
     }
-    addWalls(objects, drawn);
+    add_walls(objects, drawn);
     if (points.empty()) return;
     const double height = drawn.bounds.sizes().y(), at = unit * right_.depth(middle);
-    const Level rim = levelOf(points, 1, level_share * height),
-                base = levelOf(points, -1, level_share * height);
+    const Level rim = level_of(points, 1, kLevelShare * height),
+                base = level_of(points, -1, kLevelShare * height);
     for (const Level& level : {rim, base})
-        if (level.right.x() - level.left.x() > least_span * height)
-            drawn.lines.push_back(lineOf(level.left, level.right));
-    drawn.lines.push_back(lineOf({-at, rim.left.y()}, {-at, base.left.y()}));
+        if (level.right.x() - level.left.x() > kLeastSpan * height)
+            drawn.lines.push_back(line_of(level.left, level.right));
+    drawn.lines.push_back(line_of({-at, rim.left.y()}, {-at, base.left.y()}));
 }
 
 }  // namespace line_drawing

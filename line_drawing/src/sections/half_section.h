@@ -22,7 +22,7 @@ public:
     HalfSection(const laplacian_lines::TriangleMesh& all, const ViewFrame& frame);
 
     /// @throws laplacian_lines::Error(InvalidOption) if the axis is not that of a vessel
-    void expectVessel() const;
+    void expect_vessel() const;
     /// Evidence for the axis, for notes: "rim 62 %, axis off by 1.5°".
     std::string words() const;
 

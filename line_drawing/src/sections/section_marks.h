@@ -9,20 +9,20 @@
 namespace line_drawing {
 
 /// Mesh coordinates; `box` is the mesh's bounding box.
-inline double placeOnAxis(const Section& section, const Eigen::AlignedBox3d& box) {
+inline double place_on_axis(const Section& section, const Eigen::AlignedBox3d& box) {
     return box.min()[section.axis] + section.share * box.sizes()[section.axis];
 }
 
 /// Of the sections seen edge-on. `box` is the mesh's bounding box.
-std::vector<SectionMark> marksOf(const ViewFrame& frame, const SheetOptions& options,
-                                 const Eigen::AlignedBox3d& box);
+std::vector<SectionMark> marks_of(const ViewFrame& frame, const SheetOptions& options,
+                                  const Eigen::AlignedBox3d& box);
 
 /// What marks need beside and below the surface, mm on the sheet.
-Eigen::Vector2d roomOfMarks(const DrawnView& view);
+Eigen::Vector2d room_of_marks(const DrawnView& view);
 
 /// Short thick ends of each plane's line, with an arrow in the direction of sight and a letter (ISO
 /// 128-3).
-SheetLayer drawMarks(const DrawnView& view, const Placement& placement,
-                     const SheetOptions& options);
+SheetLayer draw_marks(const DrawnView& view, const Placement& placement,
+                      const SheetOptions& options);
 
 }  // namespace line_drawing

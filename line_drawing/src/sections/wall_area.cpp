@@ -10,11 +10,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr std::size_t row_count = 256;  // of a wall's edges, and at which its area is measured
-constexpr double least_overlap = .01;   // of the smaller of two walls
-constexpr double slight_share = 1e-6;   // of the area's size: what is so near its edge is on it
+constexpr std::size_t kRowCount = 256;  // of a wall's edges, and at which its area is measured
+constexpr double kLeastOverlap = .01;   // of the smaller of two walls
+constexpr double kSlightShare = 1e-6;   // of the area's size: what is so near its edge is on it
 
-Eigen::AlignedBox2d boxOf(const Wall& wall) {
+Eigen::AlignedBox2d box_of(const Wall& wall) {
     Eigen::AlignedBox2d box;
     for (const auto& loop : wall)
         for (const Vector2d& p : loop)
@@ -47,14 +47,14 @@ std::vector<Stretch> outside(const WallArea& area, const Vector2d& a, const Vect
 }
 
 /// The start of a closed line is no end of its parts.
-void joinAtBegin(std::vector<DrawnLine>& parts) {
+void join_at_begin(std::vector<DrawnLine>& parts) {
     std::vector<DrawnPoint>& last = parts.back().points;
     const std::vector<DrawnPoint>& first = parts.front().points;
     last.insert(last.end(), first.begin() + 1, first.end());
     parts.erase(parts.begin());
 }
 
-std::vector<DrawnLine> partsOutside(const WallArea& area, const DrawnLine& line) {
+std::vector<DrawnLine> parts_outside(const WallArea& area, const DrawnLine& line) {
     std::vector<DrawnLine> parts;
     bool goes_on = false, begins_outside = false;
     for (std::size_t i = 1; i < line.points.size(); ++i) {
@@ -74,12 +74,12 @@ std::vector<DrawnLine> partsOutside(const WallArea& area, const DrawnLine& line)
     if (parts.size() == 1 && parts[0].points.size() == line.points.size())
         parts[0].closed = line.closed;
     else if (line.closed && begins_outside && goes_on && parts.size() > 1)
-        joinAtBegin(parts);
+        join_at_begin(parts);
     return parts;
 }
 
 /// The length that both cover on a line, each between pairs of crossings.
-double sharedLength(const std::vector<double>& a, const std::vector<double>& b) {
+double shared_length(const std::vector<double>& a, const std::vector<double>& b) {
     double length = 0;
     for (std::size_t i = 0, k = 0; i + 1 < a.size() && k + 1 < b.size();) {
         length += std::max(0., std::min(a[i + 1], b[k + 1]) - std::max(a[i], b[k]));
@@ -89,27 +89,27 @@ double sharedLength(const std::vector<double>& a, const std::vector<double>& b) 
 }
 
 /// The area that two walls share in a box; the whole of a wall with itself.
-double sharedArea(const Wall& a, const Wall& b, const Eigen::AlignedBox2d& box) {
-    const double height = box.sizes().y() / row_count;
+double shared_area(const Wall& a, const Wall& b, const Eigen::AlignedBox2d& box) {
+    const double height = box.sizes().y() / kRowCount;
     double area = 0;
-    for (std::size_t row = 0; row < row_count; ++row) {
+    for (std::size_t row = 0; row < kRowCount; ++row) {
         const double y = box.min().y() + (double(row) + .5) * height;
-        area += height * sharedLength(crossingsAt(a, Vector2d::UnitX(), y),
-                                      crossingsAt(b, Vector2d::UnitX(), y));
+        area += height * shared_length(crossings_at(a, Vector2d::UnitX(), y),
+                                       crossings_at(b, Vector2d::UnitX(), y));
     }
     return area;
 }
 
 bool overlap(const Wall& a, const Wall& b) {
-    const Eigen::AlignedBox2d box_a = boxOf(a), box_b = boxOf(b);
+    const Eigen::AlignedBox2d box_a = box_of(a), box_b = box_of(b);
     const Eigen::AlignedBox2d both = box_a.intersection(box_b);
     if (both.isEmpty() || both.volume() == 0) return false;
-    const double smaller = std::min(sharedArea(a, a, box_a), sharedArea(b, b, box_b));
-    return sharedArea(a, b, both) > least_overlap * smaller;
+    const double smaller = std::min(shared_area(a, a, box_a), shared_area(b, b, box_b));
+    return shared_area(a, b, both) > kLeastOverlap * smaller;
 }
 
 /// For each object, the first one whose wall merges with its own.
-std::vector<std::size_t> groupsOf(const std::vector<CutObject>& objects) {
+std::vector<std::size_t> groups_of(const std::vector<CutObject>& objects) {
     std::vector<std::size_t> groups;
     for (std::size_t i = 0; i < objects.size(); ++i) {
         groups.push_back(i);
@@ -125,28 +125,28 @@ std::vector<std::size_t> groupsOf(const std::vector<CutObject>& objects) {
 }  // namespace
 
 WallArea::WallArea(const Wall& loops) {
-    const Eigen::AlignedBox2d box = boxOf(loops);
+    const Eigen::AlignedBox2d box = box_of(loops);
     if (box.isEmpty()) return;
-    rows_.resize(row_count);
+    rows_.resize(kRowCount);
     low_ = box.min().y();
-    row_height_ = std::max(box.sizes().y() / row_count, 1e-12);
-    slight_ = slight_share * box.sizes().norm();
+    row_height_ = std::max(box.sizes().y() / kRowCount, 1e-12);
+    slight_ = kSlightShare * box.sizes().norm();
     for (const auto& loop : loops)
         for (std::size_t i = 1; i < loop.size(); ++i) {
             const auto [low, high] = std::minmax({loop[i - 1].y(), loop[i].y()});
-            for (std::size_t row = rowOf(low); row <= rowOf(high); ++row)
+            for (std::size_t row = row_of(low); row <= row_of(high); ++row)
                 rows_[row].push_back({loop[i - 1], loop[i]});
         }
 }
 
-std::size_t WallArea::rowOf(double y) const {
-    return std::size_t(std::clamp((y - low_) / row_height_, 0., double(row_count - 1)));
+std::size_t WallArea::row_of(double y) const {
+    return std::size_t(std::clamp((y - low_) / row_height_, 0., double(kRowCount - 1)));
 }
 
 bool WallArea::contains(const Vector2d& point) const {
     if (rows_.empty()) return false;
     bool is_inside = false;
-    for (const Edge& edge : rows_[rowOf(point.y())]) {
+    for (const Edge& edge : rows_[row_of(point.y())]) {
         if ((edge.begin.y() <= point.y()) == (edge.end.y() <= point.y())) continue;
         const double t = (point.y() - edge.begin.y()) / (edge.end.y() - edge.begin.y());
         if (edge.begin.x() + t * (edge.end.x() - edge.begin.x()) > point.x())
@@ -162,7 +162,7 @@ std::vector<double> WallArea::crossings(const Vector2d& begin, const Vector2d& e
         return a.x() * b.y() - a.y() * b.x();
     };
     const auto [low, high] = std::minmax({begin.y(), end.y()});
-    for (std::size_t row = rowOf(low); !rows_.empty() && row <= rowOf(high); ++row)
+    for (std::size_t row = row_of(low); !rows_.empty() && row <= row_of(high); ++row)
         for (const Edge& edge : rows_[row]) {
             const Vector2d side = edge.end - edge.begin;
             const double turn = across(span, side);
@@ -182,16 +182,16 @@ bool WallArea::encloses(const Vector2d& begin, const Vector2d& end) const {
     return contains(middle + aside) && contains(middle - aside);
 }
 
-std::vector<DrawnLine> withoutPartsIn(const WallArea& area, const std::vector<DrawnLine>& lines) {
+std::vector<DrawnLine> without_parts_in(const WallArea& area, const std::vector<DrawnLine>& lines) {
     std::vector<DrawnLine> rest;
     for (const DrawnLine& line : lines)
-        for (DrawnLine& part : partsOutside(area, line))
+        for (DrawnLine& part : parts_outside(area, line))
             rest.push_back(std::move(part));
     return rest;
 }
 
-void addWalls(const std::vector<CutObject>& objects, DrawnView& drawn) {
-    const std::vector<std::size_t> groups = groupsOf(objects);
+void add_walls(const std::vector<CutObject>& objects, DrawnView& drawn) {
+    const std::vector<std::size_t> groups = groups_of(objects);
     for (std::size_t first = 0; first < objects.size(); ++first) {
         if (groups[first] != first) continue;
         MergedWalls& merged = drawn.walls.emplace_back();
@@ -201,7 +201,7 @@ void addWalls(const std::vector<CutObject>& objects, DrawnView& drawn) {
             std::vector<DrawnLine> lines = objects[i].lines;
             for (std::size_t k = first; k < objects.size(); ++k)
                 if (k != i && groups[k] == first)
-                    lines = withoutPartsIn(WallArea(objects[k].wall), lines);
+                    lines = without_parts_in(WallArea(objects[k].wall), lines);
             drawn.lines.insert(drawn.lines.end(), lines.begin(), lines.end());
         }
     }

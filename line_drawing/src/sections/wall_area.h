@@ -22,13 +22,13 @@ private:
     struct Edge {
         Eigen::Vector2d begin, end;
     };
-    std::size_t rowOf(double y) const;
+    std::size_t row_of(double y) const;
 
     double low_ = 0, row_height_ = 1, slight_ = 0;
     std::vector<std::vector<Edge>> rows_;
 };
 
-std::vector<DrawnLine> withoutPartsIn(const WallArea& area, const std::vector<DrawnLine>& lines);
+std::vector<DrawnLine> without_parts_in(const WallArea& area, const std::vector<DrawnLine>& lines);
 
 struct CutObject {
     Wall wall = {};
@@ -37,6 +37,6 @@ struct CutObject {
 
 /// Adds walls and lines to a view. Merges walls that overlap: their lines end where they enter
 /// another. Walls that touch, or overlap as little as scans of fitting parts do, stay apart.
-void addWalls(const std::vector<CutObject>& objects, DrawnView& drawn);
+void add_walls(const std::vector<CutObject>& objects, DrawnView& drawn);
 
 }  // namespace line_drawing

@@ -20,11 +20,11 @@ namespace {
 using laplacian_lines::Progress;
 using laplacian_lines::TriangleMesh;
 
-constexpr double check_pixel = 0.25;       // mm on the sheet
-constexpr double largest_kernel = 0.0401;  // of the diagonal: meshes without detail have none
+constexpr double kCheckPixel = 0.25;       // mm on the sheet
+constexpr double kLargestKernel = 0.0401;  // of the diagonal: meshes without detail have none
 // Progress at which lines are found, and what hides them is prepared.
-constexpr double lines_share = 0.4, sight_share = 0.55;
-constexpr std::size_t most_triangles_at_once = 2000000;  // in views that are found together
+constexpr double kLinesShare = 0.4, kSightShare = 0.55;
+constexpr std::size_t kMostTrianglesAtOnce = 2000000;  // in views that are found together
 
 void check(const SheetOptions& options) {
     if (options.views.empty() && options.sections.empty()) refuse("A drawing needs a view.");
@@ -36,19 +36,19 @@ void check(const SheetOptions& options) {
 }
 
 /// As on their marks, if any view has these.
-void nameSections(std::vector<DrawnView>& views) {
+void name_sections(std::vector<DrawnView>& views) {
     const bool has_marks = std::any_of(views.begin(), views.end(),
                                        [](const DrawnView& view) { return !view.marks.empty(); });
     std::size_t number = 0;
     for (DrawnView& view : views)
         if (view.is_section && has_marks) {
-            const std::string letter = letterOf(number++);
+            const std::string letter = letter_of(number++);
             view.frame.name = letter + "–" + letter;
         }
 }
 
 /// The same view may be asked for twice.
-void tellApart(std::vector<SheetGroup>& groups) {
+void tell_apart(std::vector<SheetGroup>& groups) {
     std::set<std::string> keys;
     for (SheetGroup& group : groups) {
         const std::string key = group.key;
@@ -57,13 +57,13 @@ void tellApart(std::vector<SheetGroup>& groups) {
     }
 }
 
-std::string remarkOn(const DrawnView& view, double missing) {
-    return view.frame.name + ": " + inDecimals(missing, 1) +
+std::string remark_on(const DrawnView& view, double missing) {
+    return view.frame.name + ": " + in_decimals(missing, 1) +
            " mm of the outline were missing and have been drawn from the mesh's edges. Please "
            "report this with the mesh.";
 }
 
-std::string remarkOn(const std::string& note) {
+std::string remark_on(const std::string& note) {
     return "Vessel: " + note +
            ". That is how far the rim goes around the axis, and how much the vessel leans.";
 }
@@ -77,36 +77,36 @@ struct Draft {
     double kernel = 0;                                              ///< as Sheet's
 };
 
-Draft layOut(Observer& observer, const SheetOptions& options) {
+Draft lay_out(Observer& observer, const SheetOptions& options) {
     std::vector<DrawnView> views;
     for (const ViewFrame& frame : options.views)
         views.push_back(observer.stand(frame, options));
     for (const Section& section : options.sections)
         views.push_back(observer.cut(section, options));
-    nameSections(views);
-    SheetLayout layout = layOut(views, options);
+    name_sections(views);
+    SheetLayout layout = lay_out(views, options);
     double size = 0;
     for (std::size_t i = 0; i < views.size(); ++i)
-        size = std::max(size, layout.placements[i].onSheet(views[i].bounds).sizes().maxCoeff());
+        size = std::max(size, layout.placements[i].on_sheet(views[i].bounds).sizes().maxCoeff());
     SheetOptions with_pens = options;
-    with_pens.pens = pensFor(size, options.pens);
+    with_pens.pens = pens_for(size, options.pens);
     return {std::move(with_pens), std::move(views), std::move(layout)};
 }
 
-void findLines(const Observer& observer, ObjectLines& lines, Draft& draft,
-               const Progress& progress) {
+void find_lines(const Observer& observer, ObjectLines& lines, Draft& draft,
+                const Progress& progress) {
     SheetOptions& options = draft.options;
     if (options.views.empty()) return;  // sections have their lines
     const double scale = draft.layout.placements[0].scale;
-    lines.makeReady(options, scale, Kernel::Exact, progress);
+    lines.make_ready(options, scale, Kernel::Exact, progress);
     draft.remarks = lines.remarks();
     const bool is_given = options.kernel.size > 0,
-               is_detail = lines.kernelSize() <= largest_kernel * observer.objectSize().norm();
-    options.kernel = {lines.kernelSize() * options.mm_per_unit * scale, false};
+               is_detail = lines.kernel_size() <= kLargestKernel * observer.object_size().norm();
+    options.kernel = {lines.kernel_size() * options.mm_per_unit * scale, false};
     if (is_given || is_detail) draft.kernel = options.kernel.size;
     for (std::size_t i = 0; i < options.views.size(); ++i)
         draft.lines.push_back(
-            lines.extract(observer.viewOf(draft.views[i], options), options.style));
+            lines.extract(observer.view_of(draft.views[i], options), options.style));
 }
 
 /// Adds missing outlines. Returns their length by view, mm.
@@ -119,10 +119,10 @@ std::vector<double> look(const Observer& observer, Draft& draft, const Progress&
         draft.lines[i].clear();
     };
     const auto check = [&](std::size_t i) {
-        missing[i] = observer.checkOutlines(draft.views[i], draft.options,
-                                            check_pixel / draft.layout.placements[i].scale);
+        missing[i] = observer.check_outlines(draft.views[i], draft.options,
+                                             kCheckPixel / draft.layout.placements[i].scale);
     };
-    if (observer.triangleCount() <= most_triangles_at_once)
+    if (observer.triangle_count() <= kMostTrianglesAtOnce)
         laplacian_lines::in_parallel(count, [&](std::size_t i) { look_at(i), check(i); });
     else  // one by all threads, in the memory of one; the one before is checked meanwhile
         for (std::size_t i = 0; i <= count; ++i)
@@ -141,24 +141,24 @@ Sheet draw(const Observer& observer, Draft& draft, const Progress& progress) {
     sheet.remarks = draft.remarks;
     const std::vector<double> missing = look(observer, draft, progress);
     for (std::size_t i = 0; i < missing.size(); ++i) {
-        if (missing[i] > 0) sheet.remarks.push_back(remarkOn(views[i], missing[i]));
-        if (!views[i].note.empty()) sheet.remarks.push_back(remarkOn(views[i].note));
+        if (missing[i] > 0) sheet.remarks.push_back(remark_on(views[i], missing[i]));
+        if (!views[i].note.empty()) sheet.remarks.push_back(remark_on(views[i].note));
     }
     sheet.groups.resize(views.size());
     laplacian_lines::in_parallel(views.size(), [&](std::size_t i) {
-        sheet.groups[i] = drawView(views[i], i + 1, layout.placements[i], options);
+        sheet.groups[i] = draw_view(views[i], i + 1, layout.placements[i], options);
     });
-    tellApart(sheet.groups);
+    tell_apart(sheet.groups);
     SheetGroup furniture =
-        drawFurniture(views, layout, options.mm_per_unit * observer.objectSize(), options, sheet);
+        draw_furniture(views, layout, options.mm_per_unit * observer.object_size(), options, sheet);
     if (!furniture.layers.empty()) sheet.groups.push_back(std::move(furniture));
-    if (options.text == TextStyle::Outlines) outlineTexts(sheet);
+    if (options.text == TextStyle::Outlines) outline_texts(sheet);
     return sheet;
 }
 
 /// Runs run(item, progress) for items that take the same time.
 template <class Items, class Run>
-void forEach(Items& items, const Progress& progress, Run run) {
+void for_each(Items& items, const Progress& progress, Run run) {
     double done = 0;
     for (auto& item : items) {
         run(item, part(progress, done / double(items.size()), (done + 1) / double(items.size())));
@@ -168,43 +168,44 @@ void forEach(Items& items, const Progress& progress, Run run) {
 
 }  // namespace
 
-void outlineTexts(Sheet& sheet) {
+void outline_texts(Sheet& sheet) {
     for (SheetGroup& group : sheet.groups)
         for (SheetLayer& layer : group.layers) {
             for (const SheetText& text : layer.texts)
-                layer.paths.push_back(outlinesOf(text));
+                layer.paths.push_back(outlines_of(text));
             layer.texts.clear();
         }
 }
 
-std::vector<Sheet> makeSheets(const Objects& objects, const std::vector<SheetOptions>& options,
-                              const Progress& progress) {
+std::vector<Sheet> make_sheets(const Objects& objects, const std::vector<SheetOptions>& options,
+                               const Progress& progress) {
     if (objects.empty()) refuse("A drawing needs an object.");
     for (const SheetOptions& o : options)
         check(o);
     Observer observer(objects);
     std::vector<Draft> drafts;
     for (SheetOptions o : options) {
-        o.title = oneLine(o.title);
-        o.source = oneLine(o.source);
-        drafts.push_back(layOut(observer, o));  // before much work, since it may refuse
+        o.title = one_line(o.title);
+        o.source = one_line(o.source);
+        drafts.push_back(lay_out(observer, o));  // before much work, since it may refuse
     }
     {
         ObjectLines lines(objects);  // gone before what hides them is there: both are large
-        forEach(drafts, part(progress, 0, lines_share),
-                [&](Draft& draft, const Progress& own) { findLines(observer, lines, draft, own); });
+        for_each(drafts, part(progress, 0, kLinesShare), [&](Draft& draft, const Progress& own) {
+            find_lines(observer, lines, draft, own);
+        });
     }
-    observer.prepare(options, part(progress, lines_share, sight_share));
+    observer.prepare(options, part(progress, kLinesShare, kSightShare));
     std::vector<Sheet> sheets;
-    forEach(drafts, part(progress, sight_share, 1), [&](Draft& draft, const Progress& own) {
+    for_each(drafts, part(progress, kSightShare, 1), [&](Draft& draft, const Progress& own) {
         sheets.push_back(draw(observer, draft, own));
     });
     return sheets;
 }
 
-Sheet makeSheet(const TriangleMesh& mesh, const laplacian_lines::Field& field,
-                const SheetOptions& options, const Progress& progress) {
-    return makeSheets({{mesh, &field}}, {options}, progress).front();
+Sheet make_sheet(const TriangleMesh& mesh, const laplacian_lines::Field& field,
+                 const SheetOptions& options, const Progress& progress) {
+    return make_sheets({{mesh, &field}}, {options}, progress).front();
 }
 
 }  // namespace line_drawing

@@ -14,18 +14,18 @@ namespace {
 using Eigen::Vector2d;
 
 // mm
-constexpr double thin_pen = 0.18;
-constexpr double title_height = 4, note_height = 2.6, longest_bar = 50, bar_height = 1.2;
-constexpr double least_height = 1.8, smaller = 0.94;              // of letters; a step towards it
-constexpr double height_of_two_lines = 3.2, line_distance = 1.3;  // of a title; of its height
-constexpr double widest_font = 1.15;                              // of our letters' width
-constexpr double symbol_height = 5, symbol_width = 14, strip_gap = 6;
-const char* const no_scale = "perspective, not to scale";
+constexpr double kThinPen = 0.18;
+constexpr double kTitleHeight = 4, kNoteHeight = 2.6, kLongestBar = 50, kBarHeight = 1.2;
+constexpr double kLeastHeight = 1.8, kSmaller = 0.94;           // of letters; a step towards it
+constexpr double kHeightOfTwoLines = 3.2, kLineDistance = 1.3;  // of a title; of its height
+constexpr double kWidestFont = 1.15;                            // of our letters' width
+constexpr double kSymbolHeight = 5, kSymbolWidth = 14, kStripGap = 6;
+const char* const kNoScale = "perspective, not to scale";
 
 /// Filled, or with this pen.
 SheetPath rectangle(const Vector2d& corner, double width, double height, double pen = 0) {
     SheetPath result{{}, pen};
-    result.path.addRectangle(corner, width, height);
+    result.path.add_rectangle(corner, width, height);
     return result;
 }
 
@@ -33,7 +33,7 @@ SheetPath rectangle(const Vector2d& corner, double width, double height, double 
 std::size_t fitting(std::u32string_view letters, double height, double width) {
     std::size_t count = 0;
     for (; count < letters.size() && width >= 0; ++count)
-        width -= widest_font * height * widthOf(letters[count]);
+        width -= kWidestFont * height * width_of(letters[count]);
     return width < 0 && count > 1 ? count - 1 : count;
 }
 
@@ -61,32 +61,32 @@ FittedText wrapped(std::u32string_view rest, double height, double width, std::s
 /// In letters of `height`, or smaller ones if that is not enough.
 FittedText fit(const std::string& text, double height, double least, double width,
                std::size_t most_lines) {
-    const std::u32string letters = lettersOf(text);
+    const std::u32string letters = letters_of(text);
     FittedText fitted = wrapped(letters, height, width, most_lines);
-    for (; fitted.is_cut && height > least; height *= smaller)
-        fitted = wrapped(letters, std::max(least, height * smaller), width, most_lines);
+    for (; fitted.is_cut && height > least; height *= kSmaller)
+        fitted = wrapped(letters, std::max(least, height * kSmaller), width, most_lines);
     if (!fitted.is_cut) return fitted;
     fitted.lines.back() =
-        lettersOf(elided(inUtf8(fitted.lines.back() + U" \u2026"), fitted.height, width));
+        letters_of(elided(in_utf8(fitted.lines.back() + U" \u2026"), fitted.height, width));
     return fitted;
 }
 
-SheetLayer viewNames(const std::vector<DrawnView>& views, const SheetLayout& layout) {
+SheetLayer view_names(const std::vector<DrawnView>& views, const SheetLayout& layout) {
     SheetLayer layer{"names", "Names of views", {}, {}};
     for (std::size_t i = 0; i < views.size(); ++i) {
-        const Eigen::AlignedBox2d& place = layout.placements[i].onSheet(views[i].bounds);
-        layer.texts.push_back({{place.center().x(),
-                                place.max().y() + roomOfMarks(views[i]).y() + 2 * view_name_height},
-                               view_name_height,
+        const Eigen::AlignedBox2d& place = layout.placements[i].on_sheet(views[i].bounds);
+        layer.texts.push_back({{place.center().x(), place.max().y() + room_of_marks(views[i]).y() +
+                                                        2 * kViewNameHeight},
+                               kViewNameHeight,
                                TextAnchor::Middle,
-                               nameOf(views[i].frame, layout.scale > 0)});
+                               name_of(views[i].frame, layout.scale > 0)});
     }
     return layer;
 }
 
 /// The longest usual length, 1, 2 or 5 times a power of ten, drawn at most `most` long; in the
 /// object's mm.
-double barLength(double scale, double most) {
+double bar_length(double scale, double most) {
     double power = std::pow(10, std::floor(std::log10(most / scale) + 1e-9));
     for (const double first : {5., 2.})
         if (first * power * scale <= most) return first * power;
@@ -94,60 +94,60 @@ double barLength(double scale, double most) {
 }
 
 /// "5 cm" for 50.
-std::string lengthInWords(double mm) {
-    if (mm >= 1e6) return inDigits(mm / 1e6) + " km";
-    if (mm >= 1000) return inDigits(mm / 1000) + " m";
-    if (mm >= 10) return inDigits(mm / 10) + " cm";
-    return mm < 0.1 ? inDigits(mm * 1000) + " µm" : inDigits(mm) + " mm";
+std::string length_in_words(double mm) {
+    if (mm >= 1e6) return in_digits(mm / 1e6) + " km";
+    if (mm >= 1000) return in_digits(mm / 1000) + " m";
+    if (mm >= 10) return in_digits(mm / 10) + " cm";
+    return mm < 0.1 ? in_digits(mm * 1000) + " µm" : in_digits(mm) + " mm";
 }
 
 /// Blocks of a tenth, fifth or quarter of the bar, alternately black and white.
-int partsOf(double length) {
+int parts_of(double length) {
     const double first = length / std::pow(10, std::floor(std::log10(length) + 1e-9));
     return first > 1.5 && first < 3 ? 4 : 5;
 }
 
 /// Lower right corner at `corner`. Returns the left end.
-double addScaleBar(const Vector2d& corner, double scale, SheetLayer& layer) {
-    const double length = barLength(scale, longest_bar), width = length * scale;
-    const int parts = partsOf(length);
-    const double left = corner.x() - width, top = corner.y() - bar_height;
-    layer.paths.push_back(rectangle({left, top}, width, bar_height, thin_pen));
+double add_scale_bar(const Vector2d& corner, double scale, SheetLayer& layer) {
+    const double length = bar_length(scale, kLongestBar), width = length * scale;
+    const int parts = parts_of(length);
+    const double left = corner.x() - width, top = corner.y() - kBarHeight;
+    layer.paths.push_back(rectangle({left, top}, width, kBarHeight, kThinPen));
     for (int part = 0; part < parts; part += 2)
         layer.paths.push_back(
-            rectangle({left + width * part / parts, top}, width / parts, bar_height));
+            rectangle({left + width * part / parts, top}, width / parts, kBarHeight));
     const double base = top - 1;
-    layer.texts.push_back({{left, base}, note_height, TextAnchor::Left, "0"});
+    layer.texts.push_back({{left, base}, kNoteHeight, TextAnchor::Left, "0"});
     layer.texts.push_back(
-        {{corner.x(), base}, note_height, TextAnchor::Right, lengthInWords(length)});
+        {{corner.x(), base}, kNoteHeight, TextAnchor::Right, length_in_words(length)});
     return left;
 }
 
 /// A truncated cone with the view from its small end, on its left: on the right in first angle, on
 /// the left in third (ISO 5456-2).
-void addProjectionSymbol(const Vector2d& corner, Arrangement arrangement, SheetLayer& layer) {
-    const double h = symbol_height, y = corner.y() - h / 2;
+void add_projection_symbol(const Vector2d& corner, Arrangement arrangement, SheetLayer& layer) {
+    const double h = kSymbolHeight, y = corner.y() - h / 2;
     const bool is_first = arrangement == Arrangement::FirstAngle;
-    const double cone = is_first ? corner.x() : corner.x() + symbol_width - h * 1.2;
-    const double circles = is_first ? corner.x() + symbol_width - h / 2 : corner.x() + h / 2;
+    const double cone = is_first ? corner.x() : corner.x() + kSymbolWidth - h * 1.2;
+    const double circles = is_first ? corner.x() + kSymbolWidth - h / 2 : corner.x() + h / 2;
     Path trapezium;
-    trapezium.moveTo({cone, y - h / 4});
-    trapezium.lineTo({cone + 1.2 * h, y - h / 2});
-    trapezium.lineTo({cone + 1.2 * h, y + h / 2});
-    trapezium.lineTo({cone, y + h / 4});
+    trapezium.move_to({cone, y - h / 4});
+    trapezium.line_to({cone + 1.2 * h, y - h / 2});
+    trapezium.line_to({cone + 1.2 * h, y + h / 2});
+    trapezium.line_to({cone, y + h / 4});
     trapezium.close();
-    layer.paths.push_back({trapezium, thin_pen});
+    layer.paths.push_back({trapezium, kThinPen});
     for (const double radius : {h / 4, h / 2}) {
         Path circle;
-        circle.addCircle({circles, y}, radius);
-        layer.paths.push_back({circle, thin_pen});
+        circle.add_circle({circles, y}, radius);
+        layer.paths.push_back({circle, kThinPen});
     }
 }
 
-std::string noteOf(const std::vector<DrawnView>& views, const SheetLayout& layout,
-                   const Eigen::Vector3d& size, const SheetOptions& options, double kernel) {
-    Words parts = {layout.scale > 0 ? scaleInWords(layout.scale) : no_scale, sizeInWords(size)};
-    if (kernel > 0) parts.push_back("√h " + kernelInWords(kernel) + " mm");
+std::string note_of(const std::vector<DrawnView>& views, const SheetLayout& layout,
+                    const Eigen::Vector3d& size, const SheetOptions& options, double kernel) {
+    Words parts = {layout.scale > 0 ? scale_in_words(layout.scale) : kNoScale, size_in_words(size)};
+    if (kernel > 0) parts.push_back("√h " + kernel_in_words(kernel) + " mm");
     for (const DrawnView& view : views)
         if (!view.note.empty()) parts.push_back(view.note);
     if (!options.source.empty()) parts.push_back(options.source);
@@ -155,75 +155,75 @@ std::string noteOf(const std::vector<DrawnView>& views, const SheetLayout& layou
 }
 
 /// Adds lines of text from below, the last one with its left end at `corner`.
-void addLines(const FittedText& text, const Vector2d& corner, SheetLayer& layer) {
+void add_lines(const FittedText& text, const Vector2d& corner, SheetLayer& layer) {
     double base = corner.y();
-    for (std::size_t i = text.lines.size(); i-- > 0; base -= line_distance * text.height)
+    for (std::size_t i = text.lines.size(); i-- > 0; base -= kLineDistance * text.height)
         layer.texts.push_back(
-            {{corner.x(), base}, text.height, TextAnchor::Left, inUtf8(text.lines[i])});
+            {{corner.x(), base}, text.height, TextAnchor::Left, in_utf8(text.lines[i])});
 }
 
-std::string remarkOn(const char* what, const FittedText& text) {
+std::string remark_on(const char* what, const FittedText& text) {
     return std::string(what) +
            (text.is_cut ? " is too long for the sheet: its end is left out."
-                        : " is long: its letters are " + inDigits(text.height, 2) + " mm high.");
+                        : " is long: its letters are " + in_digits(text.height, 2) + " mm high.");
 }
 
 /// Text with the lower left corner at `corner`.
 SheetLayer notes(const Vector2d& corner, double width, const std::string& note,
                  const std::string& title, std::vector<std::string>& remarks) {
     SheetLayer layer{"title", "Title", {}, {}};
-    const FittedText below = fit(note, note_height, least_height, width, 1);
-    addLines(below, corner, layer);
-    if (below.is_cut) remarks.push_back(remarkOn("The note below the drawing", below));
-    FittedText above = fit(title, title_height, height_of_two_lines, width, 1);
-    if (above.is_cut) above = fit(title, height_of_two_lines, least_height, width, 2);
-    addLines(above, corner - Vector2d(0, 1.6 * note_height), layer);
-    if (above.height < title_height) remarks.push_back(remarkOn("The title", above));
+    const FittedText below = fit(note, kNoteHeight, kLeastHeight, width, 1);
+    add_lines(below, corner, layer);
+    if (below.is_cut) remarks.push_back(remark_on("The note below the drawing", below));
+    FittedText above = fit(title, kTitleHeight, kHeightOfTwoLines, width, 1);
+    if (above.is_cut) above = fit(title, kHeightOfTwoLines, kLeastHeight, width, 2);
+    add_lines(above, corner - Vector2d(0, 1.6 * kNoteHeight), layer);
+    if (above.height < kTitleHeight) remarks.push_back(remark_on("The title", above));
     return layer;
 }
 
-bool showsSides(const std::vector<DrawnView>& views) {
+bool shows_sides(const std::vector<DrawnView>& views) {
     return std::count_if(views.begin(), views.end(),
                          [](const DrawnView& view) { return view.frame.side != Side::Other; }) > 1;
 }
 
 }  // namespace
 
-std::string nameOf(const ViewFrame& frame, bool beside_scale) {
-    return frame.eye && beside_scale ? frame.name + " (" + no_scale + ')' : frame.name;
+std::string name_of(const ViewFrame& frame, bool beside_scale) {
+    return frame.eye && beside_scale ? frame.name + " (" + kNoScale + ')' : frame.name;
 }
 
-double widthInAnyFont(const std::string& text, double height) {
-    return widest_font * height * widthOf(text);
+double width_in_any_font(const std::string& text, double height) {
+    return kWidestFont * height * width_of(text);
 }
 
 std::string elided(const std::string& text, double height, double width) {
-    const std::u32string letters = lettersOf(text);
+    const std::u32string letters = letters_of(text);
     if (fitting(letters, height, width) == letters.size()) return text;
-    const double dots = widest_font * height * widthOf(U'\u2026');
-    return inUtf8(letters.substr(0, fitting(letters, height, width - dots))) + "…";
+    const double dots = kWidestFont * height * width_of(U'\u2026');
+    return in_utf8(letters.substr(0, fitting(letters, height, width - dots))) + "…";
 }
 
-SheetGroup drawFurniture(const std::vector<DrawnView>& views, const SheetLayout& layout,
-                         const Eigen::Vector3d& object_size, const SheetOptions& options,
-                         Sheet& sheet) {
+SheetGroup draw_furniture(const std::vector<DrawnView>& views, const SheetLayout& layout,
+                          const Eigen::Vector3d& object_size, const SheetOptions& options,
+                          Sheet& sheet) {
     SheetGroup group{"sheet", "Sheet", {}};
     if (!options.has_furniture) return group;
-    if (views.size() > 1) group.layers.push_back(viewNames(views, layout));
-    const double bottom = layout.size.y() - sheet_margin;
-    double right = layout.size.x() - sheet_margin;
+    if (views.size() > 1) group.layers.push_back(view_names(views, layout));
+    const double bottom = layout.size.y() - kSheetMargin;
+    double right = layout.size.x() - kSheetMargin;
     if (layout.scale > 0) {
         SheetLayer layer{"scale", "Scale", {}, {}};
-        right = addScaleBar({right, bottom}, layout.scale, layer) - strip_gap;
-        if (showsSides(views)) {
-            right -= symbol_width;
-            addProjectionSymbol({right, bottom}, options.arrangement, layer);
-            right -= strip_gap;
+        right = add_scale_bar({right, bottom}, layout.scale, layer) - kStripGap;
+        if (shows_sides(views)) {
+            right -= kSymbolWidth;
+            add_projection_symbol({right, bottom}, options.arrangement, layer);
+            right -= kStripGap;
         }
         group.layers.push_back(std::move(layer));
     }
-    group.layers.push_back(notes({sheet_margin, bottom}, right - sheet_margin,
-                                 noteOf(views, layout, object_size, options, sheet.kernel),
+    group.layers.push_back(notes({kSheetMargin, bottom}, right - kSheetMargin,
+                                 note_of(views, layout, object_size, options, sheet.kernel),
                                  options.title, sheet.remarks));
     return group;
 }

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector2d;
 
 /// Largest first: 1:2 is 0.5.
-std::vector<double> usualScales() {
+std::vector<double> usual_scales() {
     std::vector<double> scales;
     for (const double tens : {1000., 100., 10., 1.})
         for (const double first : {5., 4., 2., 1.})
@@ -30,26 +30,26 @@ struct Paper {
     const char* name;
     double width, height;  // mm, upright
 };
-constexpr Paper papers[] = {{"a5", 148, 210}, {"a4", 210, 297}, {"a3", 297, 420},
-                            {"a2", 420, 594}, {"a1", 594, 841}, {"a0", 841, 1189}};
+constexpr Paper kPapers[] = {{"a5", 148, 210}, {"a4", 210, 297}, {"a3", 297, 420},
+                             {"a2", 420, 594}, {"a1", 594, 841}, {"a0", 841, 1189}};
 
 /// Portrait; none: as large as the drawing.
-std::optional<Vector2d> paperSize(const std::string& name) {
+std::optional<Vector2d> paper_size(const std::string& name) {
     if (lower(name) == "fit") return {};
-    for (const Paper& paper : papers)
+    for (const Paper& paper : kPapers)
         if (lower(name) == paper.name) return Vector2d(paper.width, paper.height);
     refuse("There is no paper \"" + name +
            "\". Papers are a5, a4, a3, a2, a1, a0, or fit: as large as the drawing.");
 }
 
-constexpr std::array<double, 10> pen_series = {0.1, 0.13, 0.18, 0.25, 0.35, 0.5, 0.7, 1, 1.4, 2};
+constexpr std::array<double, 10> kPenSeries = {0.1, 0.13, 0.18, 0.25, 0.35, 0.5, 0.7, 1, 1.4, 2};
 /// mm on paper: smaller drawings have pens one or two steps finer.
-constexpr double full_size = 40, half_size = 28;
+constexpr double kFullSize = 40, kHalfSize = 28;
 
 /// Pens, like drawing sizes here, go in steps of √2.
 double finer(double pen, int steps) {
-    const auto place = std::lower_bound(pen_series.begin(), pen_series.end(), pen);
-    return pen_series[std::size_t(std::max<std::ptrdiff_t>(0, place - pen_series.begin() - steps))];
+    const auto place = std::lower_bound(kPenSeries.begin(), kPenSeries.end(), pen);
+    return kPenSeries[std::size_t(std::max<std::ptrdiff_t>(0, place - kPenSeries.begin() - steps))];
 }
 
 struct Cell {
@@ -57,7 +57,7 @@ struct Cell {
 };
 
 /// Around the front view, in first angle.
-Cell cellOf(Side side) {
+Cell cell_of(Side side) {
     switch (side) {
         case Side::Back:
             return {0, 2};
@@ -76,7 +76,8 @@ Cell cellOf(Side side) {
 
 /// Places sections, and views whose cell is taken: upright ones on the right in the front view's
 /// row, those from above below in its column.
-void placeBesideTheFront(const std::vector<DrawnView>& views, UpAxis up, std::vector<Cell>& cells) {
+void place_beside_the_front(const std::vector<DrawnView>& views, UpAxis up,
+                            std::vector<Cell>& cells) {
     std::vector<bool> is_placed(views.size());
     int last_row = 0, last_column = 0;
     for (std::size_t i = 0; i < views.size(); ++i) {
@@ -98,7 +99,7 @@ void placeBesideTheFront(const std::vector<DrawnView>& views, UpAxis up, std::ve
 }
 
 /// Sections, if there are too many for a row: in rows of so many, below the views.
-void placeInRows(const std::vector<DrawnView>& views, int in_a_row, std::vector<Cell>& cells) {
+void place_in_rows(const std::vector<DrawnView>& views, int in_a_row, std::vector<Cell>& cells) {
     int row = 0, column = 0;
     for (std::size_t i = 0; i < views.size(); ++i)
         if (!views[i].is_section) {
@@ -114,14 +115,14 @@ void placeInRows(const std::vector<DrawnView>& views, int in_a_row, std::vector<
 }
 
 /// `sections_in_a_row`: 0 if they stand beside the front view.
-std::vector<Cell> cellsOf(const std::vector<DrawnView>& views, const SheetOptions& options,
-                          int sections_in_a_row) {
+std::vector<Cell> cells_of(const std::vector<DrawnView>& views, const SheetOptions& options,
+                           int sections_in_a_row) {
     const Arrangement arrangement = options.arrangement;
     constexpr int in_a_row = 4;
     std::vector<Cell> cells;
     int left = 0;
     for (const DrawnView& view : views) {
-        Cell cell = cellOf(view.frame.side);
+        Cell cell = cell_of(view.frame.side);
         if (arrangement == Arrangement::ThirdAngle && view.frame.side != Side::Back)
             cell = {-cell.row, -cell.column};
         left = std::min(left, cell.column);
@@ -133,8 +134,8 @@ std::vector<Cell> cellsOf(const std::vector<DrawnView>& views, const SheetOption
         cells[i] = {2 + others / in_a_row, left + others % in_a_row};
         ++others;
     }
-    placeBesideTheFront(views, options.up, cells);
-    if (sections_in_a_row > 0) placeInRows(views, sections_in_a_row, cells);
+    place_beside_the_front(views, options.up, cells);
+    if (sections_in_a_row > 0) place_in_rows(views, sections_in_a_row, cells);
     return cells;
 }
 
@@ -167,7 +168,7 @@ double place(Bands& bands, double start, double scale, double gap) {
 }
 
 /// No view has a scale.
-bool areInPerspective(const std::vector<DrawnView>& views) {
+bool are_in_perspective(const std::vector<DrawnView>& views) {
     return std::all_of(views.begin(), views.end(),
                        [](const DrawnView& view) { return view.frame.eye.has_value(); });
 }
@@ -176,32 +177,33 @@ class Layout {
 public:
     Layout(const std::vector<DrawnView>& views, const SheetOptions& options,
            int sections_in_a_row = 0)
-        : options_(options), cells_(cellsOf(views, options, sections_in_a_row)) {
+        : options_(options), cells_(cells_of(views, options, sections_in_a_row)) {
         for (std::size_t i = 0; i < views.size(); ++i) {
             const auto& box = views[i].bounds;
-            const Vector2d room = roomOfMarks(views[i]);
+            const Vector2d room = room_of_marks(views[i]);
             Band& column = columns_[cells_[i].column];
             column.hold(-box.min().x(), box.max().x(), room.x());
             if (options.has_furniture && views.size() > 1)
-                column.name = std::max(
-                    column.name, widthInAnyFont(nameOf(views[i].frame, !areInPerspective(views)),
-                                                view_name_height));
+                column.name =
+                    std::max(column.name,
+                             width_in_any_font(name_of(views[i].frame, !are_in_perspective(views)),
+                                               kViewNameHeight));
             rows_[cells_[i].row].hold(box.max().y(), -box.min().y(), room.y());
         }
     }
 
     /// Without furniture.
-    Vector2d sizeAt(double scale) {
-        const double below = options_.has_furniture ? 2 * view_name_height : 0;
-        return {place(columns_, 0, scale, view_gap),
-                place(rows_, 0, scale, view_gap + below) + below};
+    Vector2d size_at(double scale) {
+        const double below = options_.has_furniture ? 2 * kViewNameHeight : 0;
+        return {place(columns_, 0, scale, kViewGap),
+                place(rows_, 0, scale, kViewGap + below) + below};
     }
 
-    SheetLayout layOut(double scale, const Vector2d& paper) {
-        const Vector2d size = sizeAt(scale);
+    SheetLayout lay_out(double scale, const Vector2d& paper) {
+        const Vector2d size = size_at(scale);
         const double left = (paper.x() - size.x()) / 2;
         const double top =
-            sheet_margin + (paper.y() - 2 * sheet_margin - strip_height - size.y()) / 2;
+            kSheetMargin + (paper.y() - 2 * kSheetMargin - kStripHeight - size.y()) / 2;
         SheetLayout layout{paper, scale, {}};
         for (const Cell& cell : cells_)
             layout.placements.push_back(
@@ -216,23 +218,23 @@ private:
 };
 
 Vector2d room(const Vector2d& paper) {
-    return {paper.x() - 2 * sheet_margin, paper.y() - 2 * sheet_margin - strip_height};
+    return {paper.x() - 2 * kSheetMargin, paper.y() - 2 * kSheetMargin - kStripHeight};
 }
 
 bool fits(const Vector2d& size, const Vector2d& paper) {
     return (size.array() <= room(paper).array()).all();
 }
 
-std::optional<double> largestScale(Layout& layout, const Vector2d& paper) {
-    for (const double scale : usualScales())
-        if (fits(layout.sizeAt(scale), paper)) return scale;
+std::optional<double> largest_scale(Layout& layout, const Vector2d& paper) {
+    for (const double scale : usual_scales())
+        if (fits(layout.size_at(scale), paper)) return scale;
     return {};
 }
 
 /// 0 if sections stand beside the front view, where they are in line with it: rows below have to be
 /// twice as large, or the only ones that fit.
-int sectionsInARow(const std::vector<DrawnView>& views, const SheetOptions& options,
-                   const Vector2d& paper) {
+int sections_in_a_row(const std::vector<DrawnView>& views, const SheetOptions& options,
+                      const Vector2d& paper) {
     constexpr double least_gain = 2;
     const auto sections = int(options.sections.size());
     const auto scale_of = [&](int in_a_row) {
@@ -240,8 +242,8 @@ int sectionsInARow(const std::vector<DrawnView>& views, const SheetOptions& opti
         double largest = 0;
         for (const Vector2d& side : {paper, Vector2d(paper.reverse())})
             largest =
-                std::max(largest, options.scale == 0 ? largestScale(layout, side).value_or(0)
-                                                     : fits(layout.sizeAt(options.scale), side));
+                std::max(largest, options.scale == 0 ? largest_scale(layout, side).value_or(0)
+                                                     : fits(layout.size_at(options.scale), side));
         return largest;
     };
     const double beside = scale_of(0);
@@ -255,89 +257,89 @@ int sectionsInARow(const std::vector<DrawnView>& views, const SheetOptions& opti
 }
 
 /// On paper as large as the drawing.
-SheetLayout layOutFreely(Layout& layout, double scale) {
+SheetLayout lay_out_freely(Layout& layout, double scale) {
     constexpr double least_width = 90;  // of the strip below the drawing
-    const Vector2d size = layout.sizeAt(scale);
-    return layout.layOut(scale, {std::max(least_width, size.x()) + 2 * sheet_margin,
-                                 size.y() + 2 * sheet_margin + strip_height});
+    const Vector2d size = layout.size_at(scale);
+    return layout.lay_out(scale, {std::max(least_width, size.x()) + 2 * kSheetMargin,
+                                  size.y() + 2 * kSheetMargin + kStripHeight});
 }
 
 /// Views just fit: gaps between them do not scale.
-double fillingScale(Layout& layout, const Vector2d& paper) {
+double filling_scale(Layout& layout, const Vector2d& paper) {
     constexpr double far = 1e4;  // where views are wider than their names
-    const Vector2d beyond = layout.sizeAt(far), growing = (layout.sizeAt(2 * far) - beyond) / far;
+    const Vector2d beyond = layout.size_at(far), growing = (layout.size_at(2 * far) - beyond) / far;
     const auto filling = [&](const Vector2d& fixed) {
         return (room(paper) - fixed).cwiseQuotient(growing).minCoeff();
     };
     const double scale = filling(beyond - far * growing);
-    const bool has_room = fits(layout.sizeAt((1 - 1e-9) * scale), paper);
-    return has_room ? scale : filling(layout.sizeAt(0));
+    const bool has_room = fits(layout.size_at((1 - 1e-9) * scale), paper);
+    return has_room ? scale : filling(layout.size_at(0));
 }
 
 /// For views without scale: as large as the paper allows; A4 if any will do.
-SheetLayout layOutFilling(Layout& layout, const std::optional<Vector2d>& paper) {
-    const Vector2d upright = paper.value_or(Vector2d(papers[1].width, papers[1].height));
+SheetLayout lay_out_filling(Layout& layout, const std::optional<Vector2d>& paper) {
+    const Vector2d upright = paper.value_or(Vector2d(kPapers[1].width, kPapers[1].height));
     const Vector2d lying = upright.reverse();
-    const double a = fillingScale(layout, upright), b = fillingScale(layout, lying);
+    const double a = filling_scale(layout, upright), b = filling_scale(layout, lying);
     if (!(std::max(a, b) > 0) || !std::isfinite(std::max(a, b)))
         refuse("Nothing of the object is in sight, or the paper has no room for so many views.");
-    SheetLayout result = !paper  ? layOutFreely(layout, std::max(a, b))
-                         : b > a ? layout.layOut(b, lying)
-                                 : layout.layOut(a, upright);
+    SheetLayout result = !paper  ? lay_out_freely(layout, std::max(a, b))
+                         : b > a ? layout.lay_out(b, lying)
+                                 : layout.lay_out(a, upright);
     result.scale = 0;
     return result;
 }
 
 /// Portrait or landscape, whichever is larger.
-SheetLayout layOutLargest(Layout& layout, const Vector2d& upright) {
+SheetLayout lay_out_largest(Layout& layout, const Vector2d& upright) {
     const Vector2d lying = upright.reverse();
-    const auto a = largestScale(layout, upright), b = largestScale(layout, lying);
-    if (!a && !b && (fits(layout.sizeAt(0), upright) || fits(layout.sizeAt(0), lying)))
+    const auto a = largest_scale(layout, upright), b = largest_scale(layout, lying);
+    if (!a && !b && (fits(layout.size_at(0), upright) || fits(layout.size_at(0), lying)))
         refuse("The object is too large for any scale. Is the unit of the mesh right?");
     if (!a && !b)
         refuse(
             "The paper has no room for so many views and sections. Take a larger one, or fewer.");
-    return b.value_or(0) > a.value_or(0) ? layout.layOut(*b, lying) : layout.layOut(*a, upright);
+    return b.value_or(0) > a.value_or(0) ? layout.lay_out(*b, lying) : layout.lay_out(*a, upright);
 }
 
-SheetLayout layOutAt(Layout& layout, double scale, const Vector2d& upright,
-                     const std::string& name) {
-    const Vector2d size = layout.sizeAt(scale);
+SheetLayout lay_out_at(Layout& layout, double scale, const Vector2d& upright,
+                       const std::string& name) {
+    const Vector2d size = layout.size_at(scale);
     for (const Vector2d& paper : {upright, Vector2d(upright.reverse())})
-        if (fits(size, paper)) return layout.layOut(scale, paper);
-    const auto best = std::max(largestScale(layout, upright).value_or(0),
-                               largestScale(layout, upright.reverse()).value_or(0));
-    refuse("At the scale " + scaleInWords(scale) + " the views take " +
-           inDigits(std::ceil(size.x())) + " x " + inDigits(std::ceil(size.y())) + " mm, and " +
-           upper(name) + " paper has room for " + inDigits(room(upright).x()) + " x " +
-           inDigits(room(upright).y()) + ". Take " +
-           (best > 0 ? "the scale " + scaleInWords(best) + ", " : "") +
+        if (fits(size, paper)) return layout.lay_out(scale, paper);
+    const auto best = std::max(largest_scale(layout, upright).value_or(0),
+                               largest_scale(layout, upright.reverse()).value_or(0));
+    refuse("At the scale " + scale_in_words(scale) + " the views take " +
+           in_digits(std::ceil(size.x())) + " x " + in_digits(std::ceil(size.y())) + " mm, and " +
+           upper(name) + " paper has room for " + in_digits(room(upright).x()) + " x " +
+           in_digits(room(upright).y()) + ". Take " +
+           (best > 0 ? "the scale " + scale_in_words(best) + ", " : "") +
            "a larger paper, or the paper \"fit\".");
 }
 
 }  // namespace
 
-Pens pensFor(double size, Pens pens) {
-    const int steps = size >= full_size ? 0 : size >= half_size ? 1 : 2;
+Pens pens_for(double size, Pens pens) {
+    const int steps = size >= kFullSize ? 0 : size >= kHalfSize ? 1 : 2;
     for (double& pen : pens)
-        if (steps > 0 && pen <= pen_series.back()) pen = std::min(pen, finer(pen, steps));
+        if (steps > 0 && pen <= kPenSeries.back()) pen = std::min(pen, finer(pen, steps));
     return pens;
 }
 
-std::vector<const char*> paperNames() {
+std::vector<const char*> paper_names() {
     std::vector<const char*> names;
-    for (const Paper& paper : papers)
+    for (const Paper& paper : kPapers)
         names.push_back(paper.name);
     return names;
 }
 
-SheetLayout layOut(const std::vector<DrawnView>& views, const SheetOptions& options) {
-    const std::optional<Vector2d> paper = paperSize(options.paper);
-    Layout layout(views, options, paper ? sectionsInARow(views, options, *paper) : 0);
-    if (areInPerspective(views)) return layOutFilling(layout, paper);
-    if (!paper) return layOutFreely(layout, options.scale > 0 ? options.scale : 1);
-    if (options.scale > 0) return layOutAt(layout, options.scale, *paper, options.paper);
-    return layOutLargest(layout, *paper);
+SheetLayout lay_out(const std::vector<DrawnView>& views, const SheetOptions& options) {
+    const std::optional<Vector2d> paper = paper_size(options.paper);
+    Layout layout(views, options, paper ? sections_in_a_row(views, options, *paper) : 0);
+    if (are_in_perspective(views)) return lay_out_filling(layout, paper);
+    if (!paper) return lay_out_freely(layout, options.scale > 0 ? options.scale : 1);
+    if (options.scale > 0) return lay_out_at(layout, options.scale, *paper, options.paper);
+    return lay_out_largest(layout, *paper);
 }
 
 }  // namespace line_drawing

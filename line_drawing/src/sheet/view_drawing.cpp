@@ -13,19 +13,19 @@ namespace line_drawing {
 namespace {
 
 /// Nearer lines merge in print, in widths of outlines.
-constexpr double double_reach = 0.4;
-constexpr double area_tone = 0.9;
-constexpr double area_tolerance = 0.001;  // mm: what files have
-constexpr double eased_share = 0.16;      // of the width of outlines, by which contours may move
-constexpr double eased_share_of_inner = 0.6;  // of the width of inner lines, by which these may
-constexpr double least_share = 0.03;          // of the picture, of lines that meet nothing
-constexpr double hatch_spacing = 1.5, hatch_width = 0.5;  // mm; share of an inner line's width
+constexpr double kDoubleReach = 0.4;
+constexpr double kAreaTone = 0.9;
+constexpr double kAreaTolerance = 0.001;    // mm: what files have
+constexpr double kEasedShare = 0.16;        // of the width of outlines, by which contours may move
+constexpr double kEasedShareOfInner = 0.6;  // of the width of inner lines, by which these may
+constexpr double kLeastShare = 0.03;        // of the picture, of lines that meet nothing
+constexpr double kHatchSpacing = 1.5, kHatchWidth = 0.5;  // mm; share of an inner line's width
 
 struct LayerName {
     const char *key, *name;
 };
 /// By LineClass.
-constexpr LayerName layer_names[line_class_count] = {
+constexpr LayerName kLayerNames[kLineClassCount] = {
     {"outline", "Outlines"},   {"contour", "Contours"}, {"edge", "Edges"},
     {"inner", "Inner lines"},  {"fine", "Fine lines"},  {"section", "Sections"},
     {"hidden", "Hidden lines"}};
@@ -34,7 +34,7 @@ std::vector<DrawnLine> place(std::vector<DrawnLine> lines, const Placement& plac
     for (DrawnLine& line : lines) {
         line.jump *= placement.scale;
         for (DrawnPoint& point : line.points)
-            point.position = placement.onSheet(point.position);
+            point.position = placement.on_sheet(point.position);
     }
     return lines;
 }
@@ -44,17 +44,17 @@ std::vector<MergedWalls> place(std::vector<MergedWalls> walls, const Placement& 
         for (Wall& wall : merged)
             for (auto& loop : wall)
                 for (Eigen::Vector2d& p : loop)
-                    p = placement.onSheet(p);
+                    p = placement.on_sheet(p);
     return walls;
 }
 
 /// Adjacent objects alternate in direction (ISO 128-3).
-void addHatching(const std::vector<MergedWalls>& walls, std::vector<DrawnLine>& lines) {
+void add_hatching(const std::vector<MergedWalls>& walls, std::vector<DrawnLine>& lines) {
     double rise = -1;
     for (const MergedWalls& merged : walls) {
-        for (const auto& ends : hatch(merged, Eigen::Vector2d(1, rise).normalized(), hatch_spacing))
+        for (const auto& ends : hatch(merged, Eigen::Vector2d(1, rise).normalized(), kHatchSpacing))
             lines.push_back(
-                {LineClass::Fine, false, {{ends[0], hatch_width}, {ends[1], hatch_width}}});
+                {LineClass::Fine, false, {{ends[0], kHatchWidth}, {ends[1], kHatchWidth}}});
         rise = -rise;
     }
 }
@@ -63,9 +63,9 @@ SheetPath filled(const Wall& loops, double tone = 0) {
     SheetPath area;
     area.tone = tone;
     for (const auto& loop : loops) {
-        area.path.moveTo(loop[0]);
+        area.path.move_to(loop[0]);
         for (const Eigen::Vector2d& p : loop)
-            area.path.lineTo(p);
+            area.path.line_to(p);
         area.path.close();
     }
     return area;
@@ -74,13 +74,13 @@ SheetPath filled(const Wall& loops, double tone = 0) {
 using Loop = std::vector<Eigen::Vector2d>;
 
 /// Appends the corners from the first point to the last one, without that.
-void appendCorners(const Loop& loop, std::size_t first, std::size_t last, Loop& corners) {
-    for (const std::size_t i : cornersOf(loop, first, last, area_tolerance))
+void append_corners(const Loop& loop, std::size_t first, std::size_t last, Loop& corners) {
+    for (const std::size_t i : corners_of(loop, first, last, kAreaTolerance))
         corners.push_back(loop[i]);
 }
 
 /// Closed loops keep their corners alone, wherever they begin.
-Loop cornersOf(Loop loop) {
+Loop corners_of(Loop loop) {
     loop.pop_back();
     const auto by_place = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
         return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
@@ -91,76 +91,76 @@ Loop cornersOf(Loop loop) {
         std::size_t(std::max_element(loop.begin(), loop.end(), by_place) - loop.begin());
     loop.push_back(loop.front());
     Loop corners;
-    appendCorners(loop, 0, rightmost, corners);
-    appendCorners(loop, rightmost, loop.size() - 1, corners);
+    append_corners(loop, 0, rightmost, corners);
+    append_corners(loop, rightmost, loop.size() - 1, corners);
     return corners;
 }
 
 /// What closed outlines enclose, exactly: neither eased nor left out.
-SheetPath areaOf(const std::vector<DrawnLine>& lines, const Placement& placement) {
+SheetPath area_of(const std::vector<DrawnLine>& lines, const Placement& placement) {
     Wall loops;
     for (const DrawnLine& line : place(lines, placement))
         if (line.line_class == LineClass::Outline && line.closed && line.points.size() > 3)
-            loops.push_back(cornersOf(positionsOf(line)));
-    return filled(loops, area_tone);
+            loops.push_back(corners_of(positions_of(line)));
+    return filled(loops, kAreaTone);
 }
 
 /// Of the drawing, or of each object.
 SheetLayer areas(const DrawnView& view, const Placement& placement) {
     SheetLayer layer{"area", "Area", {}, {}};
     for (const auto& silhouette : view.silhouettes)
-        layer.paths.push_back(areaOf(silhouette, placement));
-    if (view.silhouettes.empty()) layer.paths.push_back(areaOf(view.lines, placement));
+        layer.paths.push_back(area_of(silhouette, placement));
+    if (view.silhouettes.empty()) layer.paths.push_back(area_of(view.lines, placement));
     return layer;
 }
 
 }  // namespace
 
-std::vector<DrawnLine> drawLines(const DrawnView& view, const Placement& placement,
-                                 const SheetOptions& options) {
+std::vector<DrawnLine> draw_lines(const DrawnView& view, const Placement& placement,
+                                  const SheetOptions& options) {
     const double pen = options.pens[std::size_t(LineClass::Outline)],
                  inner_pen = options.pens[std::size_t(LineClass::Inner)];
     std::vector<DrawnLine> lines = place(view.lines, placement);
-    lines = withoutSlightLines(std::move(lines), options);
-    easeLines(lines, eased_share * pen);
-    lines = withoutDoubles(std::move(lines), double_reach * pen);
+    lines = without_slight_lines(std::move(lines), options);
+    ease_lines(lines, kEasedShare * pen);
+    lines = without_doubles(std::move(lines), kDoubleReach * pen);
     const bool is_tapered = options.strokes == StrokeStyle::Tapered;
-    const auto makeWhole = [&] { lines = chain(std::move(lines), options.pens, is_tapered); };
-    cutHooks(lines, inner_pen);
-    makeWhole();
-    cutHooks(lines, inner_pen);  // of what was too short by itself
-    lines = thinOut(std::move(lines), options.pens);
-    makeWhole();  // nothing passes between some ends any more
-    const std::vector<MetEnd> met = joinEnds(lines, inner_pen);
-    easeInnerLines(lines, eased_share_of_inner * inner_pen);
-    followMet(met, inner_pen, lines);
-    const double size = placement.onSheet(view.bounds).sizes().maxCoeff();
-    return withoutFragments(std::move(lines), least_share * size, inner_pen);
+    const auto make_whole = [&] { lines = chain(std::move(lines), options.pens, is_tapered); };
+    cut_hooks(lines, inner_pen);
+    make_whole();
+    cut_hooks(lines, inner_pen);  // of what was too short by itself
+    lines = thin_out(std::move(lines), options.pens);
+    make_whole();  // nothing passes between some ends any more
+    const std::vector<MetEnd> met = join_ends(lines, inner_pen);
+    ease_inner_lines(lines, kEasedShareOfInner * inner_pen);
+    follow_met(met, inner_pen, lines);
+    const double size = placement.on_sheet(view.bounds).sizes().maxCoeff();
+    return without_fragments(std::move(lines), kLeastShare * size, inner_pen);
 }
 
-SheetGroup drawView(const DrawnView& view, std::size_t number, const Placement& placement,
-                    const SheetOptions& options) {
+SheetGroup draw_view(const DrawnView& view, std::size_t number, const Placement& placement,
+                     const SheetOptions& options) {
     const bool has_name = view.frame.side != Side::Other;
     const std::string key = has_name ? lower(view.frame.name) : "view-" + std::to_string(number);
     SheetGroup group{key, view.frame.name, {}};
-    std::vector<DrawnLine> lines = drawLines(view, placement, options);
-    if (options.strokes == StrokeStyle::Tapered) pointEnds(lines, options.pens);
+    std::vector<DrawnLine> lines = draw_lines(view, placement, options);
+    if (options.strokes == StrokeStyle::Tapered) point_ends(lines, options.pens);
     const std::vector<MergedWalls> walls = place(view.walls, placement);
-    if (options.wall == WallStyle::Hatched) addHatching(walls, lines);
+    if (options.wall == WallStyle::Hatched) add_hatching(walls, lines);
     if (options.area != OutlineArea::None) group.layers.push_back(areas(view, placement));
-    for (std::size_t c = line_class_count; c-- > 0;) {
-        SheetLayer layer{layer_names[c].key, layer_names[c].name, {}, {}};
+    for (std::size_t c = kLineClassCount; c-- > 0;) {
+        SheetLayer layer{kLayerNames[c].key, kLayerNames[c].name, {}, {}};
         if (c == std::size_t(LineClass::Section) && options.wall == WallStyle::Filled)
             for (const MergedWalls& merged : walls)
                 for (const Wall& wall : merged)
                     if (!wall.empty()) layer.paths.push_back(filled(wall));
         for (const DrawnLine& line : lines)
             if (std::size_t(line.line_class) == c)
-                if (auto stroke = drawStroke(line, options))
+                if (auto stroke = draw_stroke(line, options))
                     layer.paths.push_back(std::move(*stroke));
         group.layers.push_back(std::move(layer));
     }
-    if (!view.marks.empty()) group.layers.push_back(drawMarks(view, placement, options));
+    if (!view.marks.empty()) group.layers.push_back(draw_marks(view, placement, options));
     return group;
 }
 

@@ -18,13 +18,13 @@ using laplacian_lines::SightLine;
 using laplacian_lines::SightPoint;
 
 // Progress at which lines are found, and what hides them is prepared.
-constexpr double lines_share = 0.5, sight_share = 0.7;
+constexpr double kLinesShare = 0.5, kSightShare = 0.7;
 
-constexpr double tolerance = 0.01;  // mm on paper, of corners
+constexpr double kTolerance = 0.01;  // mm on paper, of corners
 // What is so much deeper, in D, over steps so steep, is another line behind the first.
-constexpr double least_jump = 0.02, steepest = 10;
+constexpr double kLeastJump = 0.02, kSteepest = 10;
 // In inner pens: shorter remains of a stroke beyond such a place are left out.
-constexpr double shortest_remains = 6;
+constexpr double kShortestRemains = 6;
 
 /// Moves the strokes of a view from paper to space.
 class InSpace {
@@ -32,8 +32,8 @@ public:
     InSpace(const Projection& projection, const Placement& placement, double diagonal, double pen)
         : projection_(projection),
           placement_(placement),
-          least_jump_(least_jump * diagonal * placement.scale),
-          shortest_remains_(shortest_remains * pen) {}
+          least_jump_(kLeastJump * diagonal * placement.scale),
+          shortest_remains_(kShortestRemains * pen) {}
 
     void append(const DrawnLine& stroke, std::vector<SightLine>& lines) const {
         std::vector<Vector3d> places;  // x and y on paper, and as deep
@@ -42,30 +42,30 @@ public:
                                 placement_.scale * point.origin.depth);
         std::size_t begin = 0;
         for (std::size_t i = 0; i + 1 < places.size();) {
-            const std::size_t end = endOfSteep(places, i);
+            const std::size_t end = end_of_steep(places, i);
             if (std::abs(places[end].z() - places[i].z()) > least_jump_) {
-                appendPart(stroke, places, begin, i, lines);
+                append_part(stroke, places, begin, i, lines);
                 begin = end;
             }
             i = std::max(end, i + 1);
         }
-        appendPart(stroke, places, begin, places.size() - 1, lines);
+        append_part(stroke, places, begin, places.size() - 1, lines);
     }
 
 private:
     /// Of steps that go steeply one way from this point on.
-    static std::size_t endOfSteep(const std::vector<Vector3d>& places, std::size_t i) {
+    static std::size_t end_of_steep(const std::vector<Vector3d>& places, std::size_t i) {
         const bool goes_back = places[i + 1].z() > places[i].z();
-        const auto isSteep = [&](const Vector3d& step) {
-            return (goes_back ? step.z() : -step.z()) > steepest * step.head<2>().norm();
+        const auto is_steep = [&](const Vector3d& step) {
+            return (goes_back ? step.z() : -step.z()) > kSteepest * step.head<2>().norm();
         };
-        while (i + 1 < places.size() && isSteep(places[i + 1] - places[i]))
+        while (i + 1 < places.size() && is_steep(places[i + 1] - places[i]))
             ++i;
         return i;
     }
 
-    void appendPart(const DrawnLine& stroke, const std::vector<Vector3d>& places, std::size_t first,
-                    std::size_t last, std::vector<SightLine>& lines) const {
+    void append_part(const DrawnLine& stroke, const std::vector<Vector3d>& places,
+                     std::size_t first, std::size_t last, std::vector<SightLine>& lines) const {
         if (last <= first) return;
         const bool is_whole = first == 0 && last + 1 == places.size();
         double length = 0;
@@ -73,7 +73,7 @@ private:
             length += (places[i + 1] - places[i]).head<2>().norm();
         if (!is_whole && length < shortest_remains_) return;
         SightLine line;
-        const LineOrigin& most = mostOf(stroke, first, last);
+        const LineOrigin& most = most_of(stroke, first, last);
         line.kind = most.kind;
         line.strength = most.strength;
         line.slope = most.slope;
@@ -81,15 +81,15 @@ private:
         line.is_hidden = stroke.line_class == LineClass::Hidden;
         line.is_outline = stroke.line_class == LineClass::Outline;
         line.jump = 0;
-        std::vector<std::size_t> corners = cornersOf(places, first, last, tolerance);
+        std::vector<std::size_t> corners = corners_of(places, first, last, kTolerance);
         corners.push_back(last);
         for (const std::size_t i : corners)
-            line.points.push_back(pointOf(stroke.points[i]));
+            line.points.push_back(point_of(stroke.points[i]));
         if (line.closed) line.points.back().position = line.points.front().position;
         lines.push_back(std::move(line));
     }
 
-    SightPoint pointOf(const DrawnPoint& point) const {
+    SightPoint point_of(const DrawnPoint& point) const {
         const Eigen::Vector2d shift = (point.position - placement_.middle) / placement_.scale;
         const Vector3d place = projection_.place({shift.x(), -shift.y()}, point.origin.depth);
         return {place, float(point.weight),           point.origin.gradient,
@@ -97,14 +97,14 @@ private:
     }
 
     /// That of a point whose kind most points have.
-    static const LineOrigin& mostOf(const DrawnLine& stroke, std::size_t first, std::size_t last) {
-        std::array<std::size_t, laplacian_lines::line_kind_count> counts{};
+    static const LineOrigin& most_of(const DrawnLine& stroke, std::size_t first, std::size_t last) {
+        std::array<std::size_t, laplacian_lines::kLineKindCount> counts{};
         std::size_t most = first;
-        const auto countOf = [&](std::size_t i) -> std::size_t& {
+        const auto count_of = [&](std::size_t i) -> std::size_t& {
             return counts.at(std::size_t(stroke.points[i].origin.kind));
         };
         for (std::size_t i = first; i <= last; ++i)
-            if (++countOf(i) > countOf(most)) most = i;
+            if (++count_of(i) > count_of(most)) most = i;
         return stroke.points[most].origin;
     }
 
@@ -115,29 +115,28 @@ private:
 
 }  // namespace
 
-std::vector<SightLine> strokesOf(const Objects& objects, const ViewFrame& frame,
-                                 SheetOptions options, const laplacian_lines::Progress& progress,
-                                 double size) {
+std::vector<SightLine> strokes_of(const Objects& objects, const ViewFrame& frame,
+                                  SheetOptions options, const laplacian_lines::Progress& progress,
+                                  double size) {
     options.mm_per_unit = 1;
     Observer observer(objects);
     DrawnView drawn = observer.stand(frame, options);
     const Placement placement{size / drawn.bounds.sizes().maxCoeff(), {0, 0}};
-    options.pens = pensFor(size, options.pens);
+    options.pens = pens_for(size, options.pens);
     {
         ObjectLines lines(objects);
-        lines.makeReady(options, placement.scale, Kernel::Exact,
-                        part(progress, 0, lines_share));
-        options.kernel = {lines.kernelSize() * placement.scale, false};
-        const auto found = lines.extract(observer.viewOf(drawn, options), options.style);
-        observer.prepare({options}, part(progress, lines_share, sight_share));
-        observer.look(drawn, found, options, part(progress, sight_share, 1));
+        lines.make_ready(options, placement.scale, Kernel::Exact, part(progress, 0, kLinesShare));
+        options.kernel = {lines.kernel_size() * placement.scale, false};
+        const auto found = lines.extract(observer.view_of(drawn, options), options.style);
+        observer.prepare({options}, part(progress, kLinesShare, kSightShare));
+        observer.look(drawn, found, options, part(progress, kSightShare, 1));
     }
     const Projection projection(drawn.frame, observer.middle());
-    const InSpace in_space(projection, placement, observer.objectSize().norm(),
+    const InSpace in_space(projection, placement, observer.object_size().norm(),
                            options.pens[std::size_t(LineClass::Inner)]);
     std::vector<SightLine> lines;
-    for (const DrawnLine& stroke : drawLines(drawn, placement, options))
-        if (drawStroke(stroke, options)) in_space.append(stroke, lines);
+    for (const DrawnLine& stroke : draw_lines(drawn, placement, options))
+        if (draw_stroke(stroke, options)) in_space.append(stroke, lines);
     return lines;
 }
 

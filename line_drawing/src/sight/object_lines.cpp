@@ -19,39 +19,39 @@ using laplacian_lines::MeshFault;
 using laplacian_lines::PrecomputeOptions;
 using laplacian_lines::Progress;
 
-constexpr double field_share = 0.8;   // of the time
-constexpr double same_kernel = 0.02;  // a share: the lines of such kernels are the same
+constexpr double kFieldShare = 0.8;   // of the time
+constexpr double kSameKernel = 0.02;  // a share: the lines of such kernels are the same
 
 /// Mesh units; `diagonal` is that of the mesh's bounding box.
-double lengthOf(const DetailSize& detail, double mm, double diagonal) {
+double length_of(const DetailSize& detail, double mm, double diagonal) {
     return detail.is_share ? detail.size * diagonal : detail.size / mm;
 }
 
 /// 2 at 0, 1 at 50, 1/2 at 100.
-double kernelFactor(double detail) {
+double kernel_factor(double detail) {
     return std::exp2(1 - detail / 50);
 }
 
 /// `mm`: on paper, per mesh unit.
-PrecomputeOptions fieldOptions(const SheetOptions& options, double mm) {
+PrecomputeOptions field_options(const SheetOptions& options, double mm) {
     PrecomputeOptions result;
-    result.drawn_kernel_size = kernelFactor(options.style.detail) *
+    result.drawn_kernel_size = kernel_factor(options.style.detail) *
                                laplacian_lines::kDrawnKernelWidths *
                                options.pens[std::size_t(LineClass::Inner)] / mm;
     result.curvature_derivatives = options.style.shows.needs_derivatives();
     return result;
 }
 
-Field computeField(const Object& object, PrecomputeOptions wanted, const SheetOptions& options,
-                   double mm, const Progress& progress) {
-    const double diagonal = boundsOf(object.mesh).diagonal().norm();
+Field compute_field(const Object& object, PrecomputeOptions wanted, const SheetOptions& options,
+                    double mm, const Progress& progress) {
+    const double diagonal = bounds_of(object.mesh).diagonal().norm();
     if (options.kernel.size > 0) {
         wanted.drawn_kernel_size = 0;
-        wanted.kernel_size = lengthOf(options.kernel, mm, diagonal);
+        wanted.kernel_size = length_of(options.kernel, mm, diagonal);
     }
     try {
         if (options.smoothing.size > 0)
-            wanted.normal_sigma = lengthOf(options.smoothing, mm, diagonal) /
+            wanted.normal_sigma = length_of(options.smoothing, mm, diagonal) /
                                   laplacian_lines::measure_scale(object.mesh, wanted).mean_edge;
         return laplacian_lines::precompute(object.mesh, wanted, progress);
     } catch (const laplacian_lines::Error& error) {
@@ -62,12 +62,12 @@ Field computeField(const Object& object, PrecomputeOptions wanted, const SheetOp
 
 }  // namespace
 
-ObjectLines::Extractor ObjectLines::atHand(const Object& object) {
+ObjectLines::Extractor ObjectLines::at_hand(const Object& object) {
     const std::shared_ptr<void> nobodys;
     return {{nobodys, object.extractor}, object.extractor_kernel, object.field != nullptr};
 }
 
-std::size_t ObjectLines::bytesOf(const Extractors& kept) {
+std::size_t ObjectLines::bytes_of(const Extractors& kept) {
     std::size_t sum = 0;
     for (const Extractor& own : kept.extractors)
         if (own.extractor.use_count() > 0) sum += own.extractor->memory();  // not if at hand
@@ -79,10 +79,10 @@ double ObjectLines::distance(const Extractors& kept, const PrecomputeOptions& wa
     const double asked = kept.made.drawn_kernel_size, now = wanted.drawn_kernel_size;
     const auto is_same = [&](double kernel) {
         // Beyond the limits of kernels all have the same.
-        const double least = asked < (1 - same_kernel) * kernel ? 0 : asked,
-                     most = asked > (1 + same_kernel) * kernel ? INFINITY : asked;
-        return (1 - same_kernel) * least <= now &&
-               now <= (1 + same_kernel) * std::max(most, kernel);
+        const double least = asked < (1 - kSameKernel) * kernel ? 0 : asked,
+                     most = asked > (1 + kSameKernel) * kernel ? INFINITY : asked;
+        return (1 - kSameKernel) * least <= now &&
+               now <= (1 + kSameKernel) * std::max(most, kernel);
     };
     double largest = 0;
     for (const Extractor& own : kept.extractors)
@@ -97,16 +97,16 @@ ObjectLines::ObjectLines(const Objects& objects, std::size_t most_bytes)
     ready.made.curvature_derivatives = true;
     for (const Object& object : objects) {
         if (!object.extractor) return;
-        ready.extractors.push_back(atHand(object));
+        ready.extractors.push_back(at_hand(object));
     }
     kept_.push_back(std::move(ready));
 }
 
-bool ObjectLines::makeReady(const SheetOptions& options, double scale, Kernel kernel,
-                            const Progress& progress) {
+bool ObjectLines::make_ready(const SheetOptions& options, double scale, Kernel kernel,
+                             const Progress& progress) {
     validate(options.style);
     const double mm = scale * options.mm_per_unit;
-    const PrecomputeOptions wanted = fieldOptions(options, mm);
+    const PrecomputeOptions wanted = field_options(options, mm);
     const auto nearest =
         std::min_element(kept_.begin(), kept_.end(), [&](const Extractors& a, const Extractors& b) {
             return distance(a, wanted) < distance(b, wanted);
@@ -116,15 +116,15 @@ bool ObjectLines::makeReady(const SheetOptions& options, double scale, Kernel ke
         kept_.splice(kept_.begin(), kept_, nearest);
         return least == 0;
     }
-    makeRoom();
+    make_room();
     kept_.push_front(compute(options, mm, wanted, progress));
     return true;
 }
 
-void ObjectLines::makeRoom() {
+void ObjectLines::make_room() {
     std::size_t bytes = 0;
     for (auto kept = kept_.begin(); kept != kept_.end();)
-        kept = (bytes += bytesOf(*kept)) > most_bytes_ ? kept_.erase(kept) : std::next(kept);
+        kept = (bytes += bytes_of(*kept)) > most_bytes_ ? kept_.erase(kept) : std::next(kept);
 }
 
 ObjectLines::Extractors ObjectLines::compute(const SheetOptions& options, double mm,
@@ -134,29 +134,29 @@ ObjectLines::Extractors ObjectLines::compute(const SheetOptions& options, double
     const auto count = double(objects_.size());
     for (const Object& object : objects_) {
         if (object.field && object.extractor) {
-            result.extractors.push_back(atHand(object));
+            result.extractors.push_back(at_hand(object));
             continue;
         }
         const auto done = double(result.extractors.size());
         const Progress own = part(progress, done / count, (done + 1) / count);
         Field computed;
         if (!object.field)
-            computed = computeField(object, wanted, options, mm, part(own, 0, field_share));
+            computed = compute_field(object, wanted, options, mm, part(own, 0, kFieldShare));
         const Field& field = object.field ? *object.field : computed;
         for (const MeshFault fault : laplacian_lines::faults_of(field.report))
             if (fault != MeshFault::CoarseKernel)  // as the scale or the user asks for
                 result.remarks.push_back((object.name.empty() ? "" : object.name + ": ") +
                                          describe(fault, field.report));
         result.extractors.push_back({std::make_shared<const laplacian_lines::LineExtractor>(
-                                         object.mesh, field, part(own, field_share, 1)),
+                                         object.mesh, field, part(own, kFieldShare, 1)),
                                      field.scale.kernel_size, object.field != nullptr});
     }
     return result;
 }
 
-double ObjectLines::kernelSize() const {
+double ObjectLines::kernel_size() const {
     double largest = 0;
-    for (const Extractor& own : inUse().extractors)
+    for (const Extractor& own : in_use().extractors)
         largest = std::max(largest, own.kernel);
     return largest;
 }
@@ -164,7 +164,7 @@ double ObjectLines::kernelSize() const {
 std::vector<laplacian_lines::LineSet> ObjectLines::extract(
     const laplacian_lines::View& view, const laplacian_lines::LineStyle& style) {
     std::vector<laplacian_lines::LineSet> lines;
-    for (const Extractor& own : inUse().extractors)
+    for (const Extractor& own : in_use().extractors)
         lines.push_back(laplacian_lines::extract_on_surface(*own.extractor, view, style, scratch_));
     return lines;
 }

@@ -27,18 +27,18 @@ public:
     /// Computes the fields for `scale`, mm on paper per mm of the object, unless given or kept.
     /// Whether the kernel is that of this scale.
     /// @throws laplacian_lines::Error, naming the object
-    bool makeReady(const SheetOptions& options, double scale, Kernel kernel,
-                   const laplacian_lines::Progress& progress);
+    bool make_ready(const SheetOptions& options, double scale, Kernel kernel,
+                    const laplacian_lines::Progress& progress);
 
     /// One set per object, for LineVisibility.
     std::vector<laplacian_lines::LineSet> extract(const laplacian_lines::View& view,
                                                   const laplacian_lines::LineStyle& style);
 
     /// What users should know of the objects' meshes.
-    std::vector<std::string> remarks() const { return inUse().remarks; }
+    std::vector<std::string> remarks() const { return in_use().remarks; }
 
     /// The largest √h, mesh units.
-    double kernelSize() const;
+    double kernel_size() const;
 
 private:
     struct Extractor {
@@ -53,15 +53,15 @@ private:
         std::vector<std::string> remarks;
     };
 
-    static Extractor atHand(const Object& object);
-    static std::size_t bytesOf(const Extractors& kept);
+    static Extractor at_hand(const Object& object);
+    static std::size_t bytes_of(const Extractors& kept);
     /// From what `wanted` gives: 0 if it is the same, else the largest factor between kernels, or
     /// infinite if these cannot do instead.
     static double distance(const Extractors& kept,
                            const laplacian_lines::PrecomputeOptions& wanted);
 
-    const Extractors& inUse() const { return kept_.front(); }
-    void makeRoom();
+    const Extractors& in_use() const { return kept_.front(); }
+    void make_room();
     Extractors compute(const SheetOptions& options, double mm,
                        const laplacian_lines::PrecomputeOptions& wanted,
                        const laplacian_lines::Progress& progress) const;

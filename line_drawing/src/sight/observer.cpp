@@ -20,19 +20,19 @@ using laplacian_lines::TriangleMesh;
 
 namespace {
 
-std::vector<laplacian_lines::LineSet> clipEach(std::vector<laplacian_lines::LineSet> lines,
-                                               const HalfSpace& inside) {
+std::vector<laplacian_lines::LineSet> clip_each(std::vector<laplacian_lines::LineSet> lines,
+                                                const HalfSpace& inside) {
     for (laplacian_lines::LineSet& set : lines)
         set = clip(set, inside);
     return lines;
 }
 
-laplacian_lines::SightOptions sightOf(const SheetOptions& options) {
+laplacian_lines::SightOptions sight_of(const SheetOptions& options) {
     return {options.style.shows, options.style.line_smoothing,
             options.hidden != HiddenLines::LeftOut, true};
 }
 
-TriangleMesh joinedMesh(const Objects& objects) {
+TriangleMesh joined_mesh(const Objects& objects) {
     TriangleMesh all;
     for (const Object& object : objects) {
         const auto first = std::uint32_t(all.positions.size());
@@ -44,25 +44,25 @@ TriangleMesh joinedMesh(const Objects& objects) {
     return all;
 }
 
-constexpr double most_pixels = 4096;  // along a side
-constexpr int reach = 2;              // pixels
+constexpr double kMostPixels = 4096;  // along a side
+constexpr int kReach = 2;             // pixels
 
 class Mask {
 public:
     Mask(const Eigen::AlignedBox2d& box, double pixel)
-        : pixel_(std::max(pixel, box.sizes().maxCoeff() / most_pixels)),
-          low_(box.min() - Vector2d::Constant((reach + 1) * pixel_)),
-          width_(std::size_t(std::ceil(box.sizes().x() / pixel_)) + 2 * reach + 3),
-          height_(std::size_t(std::ceil(box.sizes().y() / pixel_)) + 2 * reach + 3),
+        : pixel_(std::max(pixel, box.sizes().maxCoeff() / kMostPixels)),
+          low_(box.min() - Vector2d::Constant((kReach + 1) * pixel_)),
+          width_(std::size_t(std::ceil(box.sizes().x() / pixel_)) + 2 * kReach + 3),
+          height_(std::size_t(std::ceil(box.sizes().y() / pixel_)) + 2 * kReach + 3),
           is_set_(width_ * height_) {}
 
-    Vector2d inPixels(const Vector2d& p) const { return (p - low_) / pixel_; }
-    Vector2d middleOf(std::size_t x, std::size_t y) const {
+    Vector2d in_pixels(const Vector2d& p) const { return (p - low_) / pixel_; }
+    Vector2d middle_of(std::size_t x, std::size_t y) const {
         return low_ + pixel_ * Vector2d(double(x) + 0.5, double(y) + 0.5);
     }
     std::size_t width() const { return width_; }
     std::size_t height() const { return height_; }
-    bool isSet(std::size_t x, std::size_t y) const { return is_set_[y * width_ + x] != 0; }
+    bool is_set(std::size_t x, std::size_t y) const { return is_set_[y * width_ + x] != 0; }
 
     void clear() { std::fill(is_set_.begin(), is_set_.end(), 0); }
 
@@ -87,8 +87,8 @@ public:
         const double steps = std::max(1., std::ceil((to - from).norm()));
         for (double i = 0; i <= steps; ++i) {
             const Vector2d p = from + i / steps * (to - from);
-            for (int dy = -reach; dy <= reach; ++dy)
-                for (int dx = -reach; dx <= reach; ++dx)
+            for (int dy = -kReach; dy <= kReach; ++dy)
+                for (int dx = -kReach; dx <= kReach; ++dx)
                     set(std::floor(p.x()) + dx, std::floor(p.y()) + dy);
         }
     }
@@ -105,13 +105,13 @@ private:
     std::vector<char> is_set_;
 };
 
-Mask coverOf(const TriangleMesh& mesh, const Projection& projection, double unit,
-             const Eigen::AlignedBox2d& bounds, double pixel) {
+Mask cover_of(const TriangleMesh& mesh, const Projection& projection, double unit,
+              const Eigen::AlignedBox2d& bounds, double pixel) {
     Mask cover(bounds.isEmpty() ? Eigen::AlignedBox2d(Vector2d(0, 0)) : bounds, pixel);
     std::vector<Vector2d> places;  // in pixels; not finite where vertices are not
     places.reserve(mesh.positions.size());
     for (const Eigen::Vector3d& p : mesh.positions)
-        places.push_back(cover.inPixels(unit * projection(p)));
+        places.push_back(cover.in_pixels(unit * projection(p)));
     for (const laplacian_lines::Triangle& t : mesh.triangles) {
         const Vector2d &a = places[t[0]], &b = places[t[1]], &c = places[t[2]];
         if (std::isfinite(a.sum() + b.sum() + c.sum())) cover.fill(a, b, c);
@@ -119,36 +119,36 @@ Mask coverOf(const TriangleMesh& mesh, const Projection& projection, double unit
     return cover;
 }
 
-bool isAtBorder(const Mask& cover, std::size_t x, std::size_t y) {
-    return cover.isSet(x, y) && (!cover.isSet(x - 1, y) || !cover.isSet(x + 1, y) ||
-                                 !cover.isSet(x, y - 1) || !cover.isSet(x, y + 1));
+bool is_at_border(const Mask& cover, std::size_t x, std::size_t y) {
+    return cover.is_set(x, y) && (!cover.is_set(x - 1, y) || !cover.is_set(x + 1, y) ||
+                                  !cover.is_set(x, y - 1) || !cover.is_set(x, y + 1));
 }
 
 /// Checks a view's outlines by independent means: fills its triangles in pixels of this size, mm of
 /// the object. Returns the middles of border pixels without an outline within two pixels. `bounds`
 /// are the surface's in the view.
-std::vector<Vector2d> borderWithoutOutline(const TriangleMesh& mesh, const Projection& projection,
-                                           double unit, const Eigen::AlignedBox2d& bounds,
-                                           const std::vector<DrawnLine>& lines, double pixel) {
-    const Mask cover = coverOf(mesh, projection, unit, bounds, pixel);
+std::vector<Vector2d> border_without_outline(const TriangleMesh& mesh, const Projection& projection,
+                                             double unit, const Eigen::AlignedBox2d& bounds,
+                                             const std::vector<DrawnLine>& lines, double pixel) {
+    const Mask cover = cover_of(mesh, projection, unit, bounds, pixel);
     Mask outlines = cover;
     outlines.clear();
     for (const DrawnLine& line : lines)
         if (line.line_class == LineClass::Outline)
             for (std::size_t i = 1; i < line.points.size(); ++i)
-                outlines.draw(outlines.inPixels(line.points[i - 1].position),
-                              outlines.inPixels(line.points[i].position));
+                outlines.draw(outlines.in_pixels(line.points[i - 1].position),
+                              outlines.in_pixels(line.points[i].position));
     std::vector<Vector2d> missing;
     for (std::size_t y = 1; y + 1 < cover.height(); ++y)
         for (std::size_t x = 1; x + 1 < cover.width(); ++x)
-            if (isAtBorder(cover, x, y) && !outlines.isSet(x, y))
-                missing.push_back(cover.middleOf(x, y));
+            if (is_at_border(cover, x, y) && !outlines.is_set(x, y))
+                missing.push_back(cover.middle_of(x, y));
     return missing;
 }
 
 /// Segments within two pixels of these places, as outlines.
-std::vector<DrawnLine> linesAt(const std::vector<Vector2d>& places,
-                               const std::vector<DrawnLine>& lines, double pixel) {
+std::vector<DrawnLine> lines_at(const std::vector<Vector2d>& places,
+                                const std::vector<DrawnLine>& lines, double pixel) {
     std::vector<DrawnLine> found;
     for (const DrawnLine& line : lines)
         for (std::size_t i = 1; i < line.points.size(); ++i) {
@@ -156,7 +156,7 @@ std::vector<DrawnLine> linesAt(const std::vector<Vector2d>& places,
             const double squared = (b - a).squaredNorm();
             const auto is_near = [&](const Vector2d& p) {
                 const double t = squared > 0 ? std::clamp((b - a).dot(p - a) / squared, 0., 1.) : 0;
-                return (a + t * (b - a) - p).norm() <= (reach + 1) * pixel;
+                return (a + t * (b - a) - p).norm() <= (kReach + 1) * pixel;
             };
             if (std::any_of(places.begin(), places.end(), is_near))
                 found.push_back({LineClass::Outline, false, {{a}, {b}}});
@@ -168,9 +168,9 @@ std::vector<DrawnLine> linesAt(const std::vector<Vector2d>& places,
 
 Observer::Observer(const Objects& objects)
     : objects_(objects),
-      joined_(objects.size() == 1 ? TriangleMesh() : joinedMesh(objects)),
+      joined_(objects.size() == 1 ? TriangleMesh() : joined_mesh(objects)),
       surface_(objects.size() == 1 ? objects.front().mesh : joined_),
-      box_(boundsOf(surface_)) {
+      box_(bounds_of(surface_)) {
     for (const laplacian_lines::Triangle& t : surface_.triangles)
         for (const std::uint32_t v : t)
             if (v >= surface_.positions.size())
@@ -178,20 +178,20 @@ Observer::Observer(const Objects& objects)
                                              "A triangle names a vertex that is not there.");
 }
 
-void Observer::prepareCuts() {
+void Observer::prepare_cuts() {
     if (cuttable_.empty())
         for (const Object& object : objects_)
             cuttable_.emplace_back(object.mesh);
 }
 
 DrawnView Observer::stand(const ViewFrame& frame, const SheetOptions& options) {
-    if (frame.is_half_section) prepareCuts();
+    if (frame.is_half_section) prepare_cuts();
     const double unit = options.mm_per_unit;
-    const Eigen::AlignedBox2d flat = Projection(frame, box_.center()).boundsOf(surface_);
+    const Eigen::AlignedBox2d flat = Projection(frame, box_.center()).bounds_of(surface_);
     if (frame.eye && flat.isEmpty())
         refuse("All of the object is behind the eye of a view in perspective.");
     DrawnView drawn{frame, {unit * flat.min(), unit * flat.max()}};
-    drawn.marks = marksOf(frame, options, box_);
+    drawn.marks = marks_of(frame, options, box_);
     return drawn;
 }
 
@@ -204,9 +204,9 @@ void Observer::prepare(const std::vector<SheetOptions>& sheets, const Progress& 
         alone_.emplace_back(objects_[i].mesh);
 }
 
-laplacian_lines::View Observer::viewOf(const DrawnView& drawn, const SheetOptions& options) const {
+laplacian_lines::View Observer::view_of(const DrawnView& drawn, const SheetOptions& options) const {
     laplacian_lines::View view = Projection(drawn.frame, box_.center()).view();
-    if (options.light) view.light = inMesh(*options.light, drawn.frame);
+    if (options.light) view.light = in_mesh(*options.light, drawn.frame);
     return view;
 }
 
@@ -216,15 +216,15 @@ void Observer::look(DrawnView& drawn, const std::vector<laplacian_lines::LineSet
         refuse(
             "The eye of a view in perspective is inside the surface. Move it outside, or take a "
             "view without perspective.");
-    const laplacian_lines::View view = viewOf(drawn, options);
-    if (drawn.frame.is_half_section) return lookHalf(drawn, view, lines, options, progress);
+    const laplacian_lines::View view = view_of(drawn, options);
+    if (drawn.frame.is_half_section) return look_half(drawn, view, lines, options, progress);
     drawn.lines =
-        draw(visibility_->look(view, lines, sightOf(options), progress), drawn.frame, options);
-    if (options.area == OutlineArea::Objects) addSilhouettes(drawn, options);
+        draw(visibility_->look(view, lines, sight_of(options), progress), drawn.frame, options);
+    if (options.area == OutlineArea::Objects) add_silhouettes(drawn, options);
 }
 
-void Observer::addSilhouettes(DrawnView& drawn, const SheetOptions& options) const {
-    laplacian_lines::SightOptions outlines = sightOf(options);
+void Observer::add_silhouettes(DrawnView& drawn, const SheetOptions& options) const {
+    laplacian_lines::SightOptions outlines = sight_of(options);
     outlines.has_hidden = false;
     outlines.shows = {};
     outlines.shows[laplacian_lines::LineKind::Contour] = true;
@@ -237,62 +237,63 @@ void Observer::addSilhouettes(DrawnView& drawn, const SheetOptions& options) con
 std::vector<DrawnLine> Observer::draw(const SightLines& lines, const ViewFrame& frame,
                                       const SheetOptions& options) const {
     const Projection projection(frame, box_.center());
-    return project(projection.inSight(lines), projection, options.mm_per_unit);
+    return project(projection.in_sight(lines), projection, options.mm_per_unit);
 }
 
-void Observer::lookHalf(DrawnView& drawn, const laplacian_lines::View& view,
-                        const std::vector<laplacian_lines::LineSet>& lines,
-                        const SheetOptions& options, const Progress& progress) const {
+void Observer::look_half(DrawnView& drawn, const laplacian_lines::View& view,
+                         const std::vector<laplacian_lines::LineSet>& lines,
+                         const SheetOptions& options, const Progress& progress) const {
     const HalfSection half(surface_, drawn.frame);
-    half.expectVessel();
+    half.expect_vessel();
     drawn.note = half.words();
     const laplacian_lines::LineVisibility visibility(clip(surface_, half.behind()),
                                                      part(progress, 0, 0.3));
-    const SightLines inside = visibility.look(view, clipEach(lines, half.behind()),
-                                              sightOf(options), part(progress, 0.3, 0.6));
+    const SightLines inside = visibility.look(view, clip_each(lines, half.behind()),
+                                              sight_of(options), part(progress, 0.3, 0.6));
     drawn.lines = draw(clip(inside, half.left()), drawn.frame, options);
     for (DrawnLine& line : drawn.lines)  // the outline of this half is the section's
         if (line.line_class == LineClass::Outline) line.line_class = LineClass::Contour;
     half.draw(drawn, cuttable_, box_.center(), options.mm_per_unit);
-    const SightLines all = visibility_->look(view, lines, sightOf(options), part(progress, 0.6, 1));
+    const SightLines all =
+        visibility_->look(view, lines, sight_of(options), part(progress, 0.6, 1));
     const std::vector<DrawnLine> outside = draw(clip(all, half.right()), drawn.frame, options);
     drawn.lines.insert(drawn.lines.end(), outside.begin(), outside.end());
 }
 
-double Observer::checkOutlines(DrawnView& drawn, const SheetOptions& options, double pixel) const {
+double Observer::check_outlines(DrawnView& drawn, const SheetOptions& options, double pixel) const {
     // In perspective, some of the surface may be out of the picture or behind the eye.
     const auto& shows = options.style.shows;
     if (drawn.frame.is_half_section || drawn.frame.eye ||
         !shows[laplacian_lines::LineKind::Contour] || !shows[laplacian_lines::LineKind::Border])
         return 0;
     const Projection projection(drawn.frame, box_.center());
-    const auto missing = borderWithoutOutline(surface_, projection, options.mm_per_unit,
-                                              drawn.bounds, drawn.lines, pixel);
+    const auto missing = border_without_outline(surface_, projection, options.mm_per_unit,
+                                                drawn.bounds, drawn.lines, pixel);
     if (missing.empty()) return 0;
-    laplacian_lines::SightOptions all = sightOf(options);
+    laplacian_lines::SightOptions all = sight_of(options);
     all.has_hidden = true;
     const SightLines edges = visibility_->look(projection.view(), {}, all);
-    for (DrawnLine& line : linesAt(missing, draw(edges, drawn.frame, options), pixel))
+    for (DrawnLine& line : lines_at(missing, draw(edges, drawn.frame, options), pixel))
         drawn.lines.push_back(std::move(line));
     return pixel * double(missing.size());
 }
 
 DrawnView Observer::cut(const Section& section, const SheetOptions& options) {
-    prepareCuts();
-    DrawnView drawn = stand(frameOfSection(section, options.up), options);
+    prepare_cuts();
+    DrawnView drawn = stand(frame_of_section(section, options.up), options);
     drawn.is_section = true;
     drawn.marks.clear();
     const Projection projection(drawn.frame, box_.center());
     std::vector<CutObject> objects;
     for (const CuttableMesh& object : cuttable_) {
         CutObject parts;
-        for (const Cut& cut : object.cut(section.axis, placeOnAxis(section, box_))) {
+        for (const Cut& cut : object.cut(section.axis, place_on_axis(section, box_))) {
             parts.lines.push_back(project(cut, projection, options.mm_per_unit));
-            if (parts.lines.back().closed) parts.wall.push_back(positionsOf(parts.lines.back()));
+            if (parts.lines.back().closed) parts.wall.push_back(positions_of(parts.lines.back()));
         }
         objects.push_back(std::move(parts));
     }
-    addWalls(objects, drawn);
+    add_walls(objects, drawn);
     return drawn;
 }
 

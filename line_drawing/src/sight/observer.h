@@ -26,7 +26,7 @@ public:
     DrawnView stand(const ViewFrame& frame, const SheetOptions& options);
     /// What a section cuts, without what is behind it.
     DrawnView cut(const Section& section, const SheetOptions& options);
-    laplacian_lines::View viewOf(const DrawnView& drawn, const SheetOptions& options) const;
+    laplacian_lines::View view_of(const DrawnView& drawn, const SheetOptions& options) const;
     /// Call before look(). @throws laplacian_lines::Error(Cancelled)
     void prepare(const std::vector<SheetOptions>& sheets,
                  const laplacian_lines::Progress& progress);
@@ -36,21 +36,21 @@ public:
               const SheetOptions& options, const laplacian_lines::Progress& progress) const;
     /// Compares outlines with the pixels that the surface covers, of this size in mm of the object,
     /// and adds missing lines. Returns their length in mm.
-    double checkOutlines(DrawnView& drawn, const SheetOptions& options, double pixel) const;
+    double check_outlines(DrawnView& drawn, const SheetOptions& options, double pixel) const;
     /// Mesh units.
-    Eigen::Vector3d objectSize() const { return box_.sizes(); }
+    Eigen::Vector3d object_size() const { return box_.sizes(); }
     Eigen::Vector3d middle() const { return box_.center(); }  ///< of the objects' box
-    std::size_t triangleCount() const { return surface_.triangles.size(); }
+    std::size_t triangle_count() const { return surface_.triangles.size(); }
 
 private:
     using SightLines = std::vector<laplacian_lines::SightLine>;
 
-    void lookHalf(DrawnView& drawn, const laplacian_lines::View& view,
-                  const std::vector<laplacian_lines::LineSet>& lines, const SheetOptions& options,
-                  const laplacian_lines::Progress& progress) const;
+    void look_half(DrawnView& drawn, const laplacian_lines::View& view,
+                   const std::vector<laplacian_lines::LineSet>& lines, const SheetOptions& options,
+                   const laplacian_lines::Progress& progress) const;
 
-    void prepareCuts();
-    void addSilhouettes(DrawnView& drawn, const SheetOptions& options) const;
+    void prepare_cuts();
+    void add_silhouettes(DrawnView& drawn, const SheetOptions& options) const;
     std::vector<DrawnLine> draw(const SightLines& lines, const ViewFrame& frame,
                                 const SheetOptions& options) const;
 

@@ -14,24 +14,24 @@ namespace {
 using Eigen::Vector2d;
 
 // in pens of inner lines
-constexpr double longest_gap = 8;
-constexpr double meeting = 2;  // ends so near each other meet
-constexpr double same_place = 0.5;
-constexpr double bridging = 6;             // gaps, over which ends that meet are led to each other
-constexpr double tangent_reach = 3;        // over which the direction of an end is taken
-constexpr double swelling = 4;             // over which widths pass into each other
-constexpr double longest_gap_share = 0.5;  // of the shorter line
-constexpr double gap_cosine = 0.866;       // of 30°, to the way over the gap: an arc turns by 60°
-constexpr double meeting_cosine = 0.766;   // of 40°
-constexpr double bend_reach = 8;           // 2 √h
-constexpr double clear_bend = 0.524;       // radians: 30°
-constexpr double corner_cosine = -0.342;   // of 110°; beyond it is another side of the fold
+constexpr double kLongestGap = 8;
+constexpr double kMeeting = 2;  // ends so near each other meet
+constexpr double kSamePlace = 0.5;
+constexpr double kBridging = 6;           // gaps, over which ends that meet are led to each other
+constexpr double kTangentReach = 3;       // over which the direction of an end is taken
+constexpr double kSwelling = 4;           // over which widths pass into each other
+constexpr double kLongestGapShare = 0.5;  // of the shorter line
+constexpr double kGapCosine = 0.866;      // of 30°, to the way over the gap: an arc turns by 60°
+constexpr double kMeetingCosine = 0.766;  // of 40°
+constexpr double kBendReach = 8;          // 2 √h
+constexpr double kClearBend = 0.524;      // radians: 30°
+constexpr double kCornerCosine = -0.342;  // of 110°; beyond it is another side of the fold
 
 struct End {
     std::size_t line;
     bool is_last;
     Vector2d position, outwards;
-    double bend;  // radians to the left on the way out, over bend_reach, if it is an arc
+    double bend;  // radians to the left on the way out, over kBendReach, if it is an arc
 };
 
 struct Bond {
@@ -39,14 +39,14 @@ struct Bond {
     double gap;
 };
 
-double angleBetween(const Vector2d& from, const Vector2d& to) {
+double angle_between(const Vector2d& from, const Vector2d& to) {
     return std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
 }
 
 /// Whether a way turns to one side, where it turns clearly.
-bool turnsOneWay(std::initializer_list<double> turns) {
+bool turns_one_way(std::initializer_list<double> turns) {
     const auto [least, most] = std::minmax(turns);
-    return least > -clear_bend || most < clear_bend;
+    return least > -kClearBend || most < kClearBend;
 }
 
 class Chaining {
@@ -56,14 +56,14 @@ public:
           pens_(pens),
           pen_(pens[std::size_t(LineClass::Inner)]),
           mixes_kinds_(mixes_kinds),
-          all_(allOf(lines_, pen_)) {
+          all_(all_of(lines_, pen_)) {
         for (std::size_t i = 0; i < lines_.size(); ++i) {
             const bool is_chained =
-                isInner(lines_[i]) || lines_[i].line_class == LineClass::Contour;
-            lengths_.push_back(lengthOf(lines_[i].points));
+                is_inner(lines_[i]) || lines_[i].line_class == LineClass::Contour;
+            lengths_.push_back(length_of(lines_[i].points));
             if (!is_chained || lines_[i].closed || lines_[i].points.size() < 2) continue;
             for (const bool is_last : {false, true})
-                ends_.push_back(endOf(i, is_last));
+                ends_.push_back(end_of(i, is_last));
         }
         partners_.assign(ends_.size(), none);
     }
@@ -89,27 +89,27 @@ public:
 private:
     static constexpr std::size_t none = std::size_t(-1);
 
-    End endOf(std::size_t i, bool is_last) const {
+    End end_of(std::size_t i, bool is_last) const {
         const std::vector<DrawnPoint>& points = lines_[i].points;
-        const Vector2d outwards = outwardsAt(points, is_last, tangent_reach * pen_),
-                       before = outwardsAt(points, is_last, bend_reach * pen_);
+        const Vector2d outwards = outwards_at(points, is_last, kTangentReach * pen_),
+                       before = outwards_at(points, is_last, kBendReach * pen_);
         return {i, is_last, (is_last ? points.back() : points.front()).position, outwards,
-                2 * bend_reach / (bend_reach - tangent_reach) * angleBetween(before, outwards)};
+                2 * kBendReach / (kBendReach - kTangentReach) * angle_between(before, outwards)};
     }
 
-    bool isContour(const End& end) const {
+    bool is_contour(const End& end) const {
         return lines_[end.line].line_class == LineClass::Contour;
     }
 
     /// Whether an end is one of the form, too: a contour along sharp edges.
-    bool isEdge(const End& end) const {
-        return isContour(end) && !isCurvedContour(lines_[end.line]);
+    bool is_edge(const End& end) const {
+        return is_contour(end) && !is_curved_contour(lines_[end.line]);
     }
 
     /// Pairs of ends that continue each other, best first.
     std::vector<Bond> bonds() const {
         std::vector<std::pair<double, Bond>> found;
-        const double cell = longest_gap * pen_;
+        const double cell = kLongestGap * pen_;
         std::map<std::pair<int, int>, std::vector<std::size_t>> cells;
         const auto place = [&](const Vector2d& p) {
             return std::pair<int, int>(int(std::floor(p.x() / cell)),
@@ -120,7 +120,7 @@ private:
             for (int dx = -1; dx <= 1; ++dx)
                 for (int dy = -1; dy <= 1; ++dy)
                     for (const std::size_t other : cells[{x + dx, y + dy}])
-                        if (const auto cost = costOf(ends_[other], ends_[e]))
+                        if (const auto cost = cost_of(ends_[other], ends_[e]))
                             found.push_back({*cost, {{other, e}, 0}});
             cells[{x, y}].push_back(e);
         }
@@ -133,39 +133,42 @@ private:
     }
 
     /// The gap, longer by the turn; nothing if the lines do not continue.
-    std::optional<double> costOf(const End& a, const End& b) const {
-        if (a.line == b.line && lengths_[a.line] < longest_gap * pen_) return {};
+    std::optional<double> cost_of(const End& a, const End& b) const {
+        if (a.line == b.line && lengths_[a.line] < kLongestGap * pen_) return {};
         const Vector2d way = b.position - a.position;
         const double gap = way.norm();
         const double turn = -a.outwards.dot(b.outwards);
-        const bool meets = gap <= meeting * pen_;
-        if (!mixes_kinds_ && (isContour(a) || isContour(b)) &&
-            (isContour(a) != isContour(b) || gap > same_place * pen_))
+        const bool meets = gap <= kMeeting * pen_;
+        if (!mixes_kinds_ && (is_contour(a) || is_contour(b)) &&
+            (is_contour(a) != is_contour(b) || gap > kSamePlace * pen_))
             return {};
         if (meets) {
-            const bool is_corner = gap <= same_place * pen_ && !(isContour(a) && isContour(b));
-            if (turn < (is_corner ? corner_cosine : meeting_cosine)) return {};
+            const bool is_corner = gap <= kSamePlace * pen_ && !(is_contour(a) && is_contour(b));
+            if (turn < (is_corner ? kCornerCosine : kMeetingCosine)) return {};
         } else {
             const double shorter = std::min(lengths_[a.line], lengths_[b.line]);
-            if (isEdge(a) || isEdge(b) || gap > longest_gap * pen_ ||
-                gap > longest_gap_share * shorter || a.outwards.dot(way) < gap_cosine * gap ||
-                -b.outwards.dot(way) < gap_cosine * gap || meetsOther(a) || meetsOther(b))
+            if (is_edge(a) || is_edge(b) || gap > kLongestGap * pen_ ||
+                gap > kLongestGapShare * shorter || a.outwards.dot(way) < kGapCosine * gap ||
+                -b.outwards.dot(way) < kGapCosine * gap || meets_other(a) || meets_other(b))
                 return {};
         }
-        if (!isContour(a) && !isContour(b) &&
-            !turnsOneWay({a.bend, angleBetween(a.outwards, -b.outwards), -b.bend}))
+        if (!is_contour(a) && !is_contour(b) &&
+            !turns_one_way({a.bend, angle_between(a.outwards, -b.outwards), -b.bend}))
             return {};
-        if (gap > same_place * pen_ && isCrossed(a, b)) return {};  // which takes longest
-        return gap + (1 - turn) * longest_gap * pen_;
+        if (gap > kSamePlace * pen_ && is_crossed(a, b)) return {};  // which takes longest
+        return gap + (1 - turn) * kLongestGap * pen_;
     }
 
-    bool meetsOther(const End& end) const { return all_.isNear(end.position, end.line, pen_ / 2); }
+    bool meets_other(const End& end) const {
+        return all_.is_near(end.position, end.line, pen_ / 2);
+    }
 
-    bool isCrossed(const End& a, const End& b) const {
+    bool is_crossed(const End& a, const End& b) const {
         constexpr int samples = 7;
         for (int i = 1; i <= samples; ++i) {
             const double t = double(i) / (samples + 1);
-            const auto near = all_.nearestOn((1 - t) * a.position + t * b.position, none, pen_ / 2);
+            const auto near =
+                all_.nearest_on((1 - t) * a.position + t * b.position, none, pen_ / 2);
             if (near && near->line != a.line && near->line != b.line) return true;
         }
         return false;
@@ -178,7 +181,7 @@ private:
         for (std::size_t e = first;;) {
             way.push_back({ends_[e].line, ends_[e].is_last});
             is_done[ends_[e].line] = true;
-            const std::size_t next = partners_[otherEnd(e)];
+            const std::size_t next = partners_[other_end(e)];
             if (next == none) break;
             if (is_done[ends_[next].line]) {
                 closed = true;
@@ -190,7 +193,7 @@ private:
         return joined(way, closed);
     }
 
-    std::size_t otherEnd(std::size_t e) const { return ends_[e].is_last ? e - 1 : e + 1; }
+    std::size_t other_end(std::size_t e) const { return ends_[e].is_last ? e - 1 : e + 1; }
 
     DrawnLine joined(const std::vector<std::pair<std::size_t, bool>>& way, bool closed) {
         LineClass widest = LineClass::Fine;
@@ -203,13 +206,13 @@ private:
             const bool is_contour = lines_[i].line_class == LineClass::Contour;
             std::vector<DrawnPoint> points = std::move(lines_[i].points);
             if (backwards) std::reverse(points.begin(), points.end());
-            const double share = fullWidth(lines_[i].line_class) / fullWidth(widest);
+            const double share = full_width(lines_[i].line_class) / full_width(widest);
             for (DrawnPoint& point : points)
                 point.weight *= share;
             if (!result.points.empty()) {
-                cutOverlap(result.points, points);
+                cut_overlap(result.points, points);
                 meet(result.points, was_contour, points, is_contour);
-                seams.push_back(lengthOf(result.points));
+                seams.push_back(length_of(result.points));
             }
             was_contour = is_contour;
             result.points.insert(result.points.end(), points.begin(), points.end());
@@ -221,14 +224,14 @@ private:
     }
 
     /// Lines that meet may overshoot each other.
-    void cutOverlap(const std::vector<DrawnPoint>& before, std::vector<DrawnPoint>& points) const {
+    void cut_overlap(const std::vector<DrawnPoint>& before, std::vector<DrawnPoint>& points) const {
         const std::size_t n = before.size();
         if (n < 2) return;
         const Vector2d& end = before[n - 1].position;
         const Vector2d along = end - before[n - 2].position;
         std::size_t first = 0;
         while (first + 2 < points.size() &&
-               (points[first].position - end).norm() < meeting * pen_ &&
+               (points[first].position - end).norm() < kMeeting * pen_ &&
                (points[first].position - end).dot(along) <= 0)
             ++first;
         points.erase(points.begin(), points.begin() + std::ptrdiff_t(first));
@@ -238,22 +241,22 @@ private:
     void meet(std::vector<DrawnPoint>& before, bool is_fixed, std::vector<DrawnPoint>& after,
               bool is_after_fixed) const {
         const Vector2d gap = after.front().position - before.back().position;
-        if (gap.norm() > meeting * pen_ || (is_fixed && is_after_fixed)) return;
+        if (gap.norm() > kMeeting * pen_ || (is_fixed && is_after_fixed)) return;
         const double share = is_fixed ? 0 : is_after_fixed ? 1 : 0.5;
-        shiftEnd(before, true, share * gap, bridging * gap.norm());
-        shiftEnd(after, false, (share - 1) * gap, bridging * gap.norm());
+        shift_end(before, true, share * gap, kBridging * gap.norm());
+        shift_end(after, false, (share - 1) * gap, kBridging * gap.norm());
         before.back().position = after.front().position;
         if (after.size() > 2) after.erase(after.begin());
     }
 
     /// Faint lines taper from the width of clear ones.
-    double fullWidth(LineClass c) const {
+    double full_width(LineClass c) const {
         return pens_[std::size_t(c == LineClass::Fine ? LineClass::Inner : c)];
     }
 
     /// Averages widths across the seam.
     void blend(double seam, std::vector<DrawnPoint>& points) const {
-        const double reach = swelling * pen_;
+        const double reach = kSwelling * pen_;
         double at = 0, sums[2] = {0, 0};
         int counts[2] = {0, 0};
         std::vector<double> places(points.size());

@@ -13,20 +13,20 @@ using Eigen::Vector2d;
 using Points = std::vector<Vector2d>;
 using Cubic = std::array<Vector2d, 4>;
 
-constexpr double cosine_of_corner = 0.9063;  // 25°
-constexpr double corner_reach = 10;          // tolerances
-constexpr int most_improvements = 4;
-constexpr std::size_t longest_run = 256;  // points of a curve: bounds the work on a bad fit
+constexpr double kCosineOfCorner = 0.9063;  // 25°
+constexpr double kCornerReach = 10;         // tolerances
+constexpr int kMostImprovements = 4;
+constexpr std::size_t kLongestRun = 256;  // points of a curve: bounds the work on a bad fit
 
-Vector2d pointOf(const Cubic& c, double t) {
+Vector2d point_of(const Cubic& c, double t) {
     const double s = 1 - t;
     return s * s * s * c[0] + 3 * s * s * t * c[1] + 3 * s * t * t * c[2] + t * t * t * c[3];
 }
-Vector2d firstDerivative(const Cubic& c, double t) {
+Vector2d first_derivative(const Cubic& c, double t) {
     const double s = 1 - t;
     return 3 * (s * s * (c[1] - c[0]) + 2 * s * t * (c[2] - c[1]) + t * t * (c[3] - c[2]));
 }
-Vector2d secondDerivative(const Cubic& c, double t) {
+Vector2d second_derivative(const Cubic& c, double t) {
     return 6 * ((1 - t) * (c[2] - 2 * c[1] + c[0]) + t * (c[3] - 2 * c[2] + c[1]));
 }
 
@@ -35,22 +35,22 @@ public:
     RunFitter(const Points& points, double tolerance, Path& path)
         : points_(points),
           squared_tolerance_(tolerance * tolerance),
-          reach_(corner_reach * tolerance),
+          reach_(kCornerReach * tolerance),
           path_(path) {}
 
     /// points[first..last], with unit tangents inwards at both ends.
     void fit(std::size_t first, std::size_t last, const Vector2d& begin, const Vector2d& end) {
-        if (isStraight(first, last)) return path_.lineTo(points_[last]);
-        if (last - first > longest_run)
+        if (is_straight(first, last)) return path_.line_to(points_[last]);
+        if (last - first > kLongestRun)
             return split(first, first + (last - first) / 2, last, begin, end);
-        std::vector<double> parameters = lengthsTo(first, last);
+        std::vector<double> parameters = lengths_to(first, last);
         const double length = parameters.back();
         for (double& t : parameters)
             t = length > 0 ? t / length : 0;
         std::size_t worst = first;
-        for (int round = 0; round <= most_improvements; ++round) {
+        for (int round = 0; round <= kMostImprovements; ++round) {
             const Cubic cubic = solve(first, parameters, length, begin, end);
-            const double error = largestError(cubic, first, parameters, worst);
+            const double error = largest_error(cubic, first, parameters, worst);
             if (error <= squared_tolerance_) return add(cubic);
             if (error > 16 * squared_tolerance_) break;
             improve(cubic, first, parameters);
@@ -59,7 +59,7 @@ public:
     }
 
     /// Inwards from an end of a run.
-    Vector2d tangentFrom(std::size_t end, std::size_t other) const {
+    Vector2d tangent_from(std::size_t end, std::size_t other) const {
         const std::ptrdiff_t step = other > end ? 1 : -1;
         std::size_t i = end;
         do
@@ -69,7 +69,7 @@ public:
     }
 
 private:
-    bool isStraight(std::size_t first, std::size_t last) const {
+    bool is_straight(std::size_t first, std::size_t last) const {
         const Vector2d whole = points_[last] - points_[first], way = whole.stableNormalized();
         if (way.isZero()) return false;
         for (std::size_t i = first + 1; i < last; ++i) {
@@ -83,20 +83,20 @@ private:
 
     void split(std::size_t first, std::size_t middle, std::size_t last, const Vector2d& begin,
                const Vector2d& end) {
-        const Vector2d tangent = tangentThrough(middle, first, last);
+        const Vector2d tangent = tangent_through(middle, first, last);
         fit(first, middle, begin, tangent);
         fit(middle, last, -tangent, end);
     }
 
-    Vector2d tangentThrough(std::size_t i, std::size_t first, std::size_t last) const {
-        const Vector2d tangent = tangentFrom(i, first) - tangentFrom(i, last);
+    Vector2d tangent_through(std::size_t i, std::size_t first, std::size_t last) const {
+        const Vector2d tangent = tangent_from(i, first) - tangent_from(i, last);
         return tangent.squaredNorm() > 1e-6 ? Vector2d(tangent.normalized())
-                                            : tangentFrom(i, first);
+                                            : tangent_from(i, first);
     }
 
-    void add(const Cubic& c) { path_.curveTo(c[1], c[2], c[3]); }
+    void add(const Cubic& c) { path_.curve_to(c[1], c[2], c[3]); }
 
-    std::vector<double> lengthsTo(std::size_t first, std::size_t last) const {
+    std::vector<double> lengths_to(std::size_t first, std::size_t last) const {
         std::vector<double> lengths = {0};
         for (std::size_t i = first + 1; i <= last; ++i)
             lengths.push_back(lengths.back() + (points_[i] - points_[i - 1]).norm());
@@ -135,11 +135,12 @@ private:
     }
 
     /// Squared.
-    double largestError(const Cubic& cubic, std::size_t first,
-                        const std::vector<double>& parameters, std::size_t& worst) const {
+    double largest_error(const Cubic& cubic, std::size_t first,
+                         const std::vector<double>& parameters, std::size_t& worst) const {
         double largest = 0;
         for (std::size_t i = 1; i + 1 < parameters.size(); ++i) {
-            const double error = (pointOf(cubic, parameters[i]) - points_[first + i]).squaredNorm();
+            const double error =
+                (point_of(cubic, parameters[i]) - points_[first + i]).squaredNorm();
             if (!(error > largest)) continue;
             largest = error;
             worst = first + i;
@@ -150,9 +151,10 @@ private:
     /// A Newton step for each point's nearest place on the curve.
     void improve(const Cubic& cubic, std::size_t first, std::vector<double>& parameters) const {
         for (std::size_t i = 1; i + 1 < parameters.size(); ++i) {
-            const Vector2d off = pointOf(cubic, parameters[i]) - points_[first + i];
-            const Vector2d d1 = firstDerivative(cubic, parameters[i]);
-            const double slope = d1.squaredNorm() + off.dot(secondDerivative(cubic, parameters[i]));
+            const Vector2d off = point_of(cubic, parameters[i]) - points_[first + i];
+            const Vector2d d1 = first_derivative(cubic, parameters[i]);
+            const double slope =
+                d1.squaredNorm() + off.dot(second_derivative(cubic, parameters[i]));
             if (slope > 0) parameters[i] = std::clamp(parameters[i] - off.dot(d1) / slope, 0., 1.);
         }
     }
@@ -164,7 +166,7 @@ private:
 
 /// From points[i] to the point `reach` away along the line, or to its end, around closed lines.
 /// Zero if that is nearer than half of it.
-Vector2d directionTo(const Points& points, bool closed, std::size_t i, int step, double reach) {
+Vector2d direction_to(const Points& points, bool closed, std::size_t i, int step, double reach) {
     const auto n =
         std::ptrdiff_t(points.size()) - 1;  // the last point of a closed line is the first
     std::ptrdiff_t at = std::ptrdiff_t(i);
@@ -178,18 +180,18 @@ Vector2d directionTo(const Points& points, bool closed, std::size_t i, int step,
 }
 
 /// Where `points` turn by more than 25° within `reach`, without the ends of open lines.
-std::vector<std::size_t> findCorners(const Points& points, bool closed, double reach) {
+std::vector<std::size_t> find_corners(const Points& points, bool closed, double reach) {
     const std::size_t n = points.size();
     std::vector<double> turns(n, 1);  // cosines
     const std::size_t end = closed ? n - 1 : n;
     for (std::size_t i = closed ? 0 : 1; i + (closed ? 0 : 1) < end; ++i) {
-        const Vector2d back = directionTo(points, closed, i, -1, reach);
-        const Vector2d on = directionTo(points, closed, i, 1, reach);
+        const Vector2d back = direction_to(points, closed, i, -1, reach);
+        const Vector2d on = direction_to(points, closed, i, 1, reach);
         if (!back.isZero() && !on.isZero()) turns[i] = -back.dot(on);
     }
     std::vector<std::size_t> corners;
     for (std::size_t i = 0; i < end; ++i) {
-        if (!(turns[i] < cosine_of_corner)) continue;
+        if (!(turns[i] < kCosineOfCorner)) continue;
         // The sharpest of those that see the same turn.
         if (!corners.empty() && (points[corners.back()] - points[i]).norm() < reach) {
             if (turns[i] < turns[corners.back()]) corners.back() = i;
@@ -202,12 +204,12 @@ std::vector<std::size_t> findCorners(const Points& points, bool closed, double r
 
 }  // namespace
 
-void fitCurve(const Points& given, bool closed, double tolerance, Path& path) {
+void fit_curve(const Points& given, bool closed, double tolerance, Path& path) {
     // So that curves near the points are near the line between them, too.
-    Points points = refine(given, corner_reach * tolerance);
+    Points points = refine(given, kCornerReach * tolerance);
     if (points.size() < 2) return;
     closed = closed && points.size() > 3 && points.front() == points.back();
-    std::vector<std::size_t> corners = findCorners(points, closed, corner_reach * tolerance);
+    std::vector<std::size_t> corners = find_corners(points, closed, kCornerReach * tolerance);
     if (closed && !corners.empty() && corners[0] != 0) {  // to begin with a corner
         points.pop_back();
         std::rotate(points.begin(), points.begin() + std::ptrdiff_t(corners[0]), points.end());
@@ -219,11 +221,11 @@ void fitCurve(const Points& given, bool closed, double tolerance, Path& path) {
     const bool is_smooth_loop = closed && corners.empty();
     if (corners.empty() || corners.front() != 0) corners.insert(corners.begin(), 0);
     if (corners.back() != points.size() - 1) corners.push_back(points.size() - 1);
-    path.moveTo(points[0]);
+    path.move_to(points[0]);
     RunFitter fitter(points, tolerance, path);
     for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
-        Vector2d begin = fitter.tangentFrom(corners[i], corners[i + 1]);
-        Vector2d end = fitter.tangentFrom(corners[i + 1], corners[i]);
+        Vector2d begin = fitter.tangent_from(corners[i], corners[i + 1]);
+        Vector2d end = fitter.tangent_from(corners[i + 1], corners[i]);
         if (is_smooth_loop) {
             begin = (begin - end).stableNormalized();
             end = -begin;

@@ -13,39 +13,39 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double least_cosine = 0.94;  // of 20°
-constexpr double largest_sine = 0.342, largest_tangent = 0.364;
-constexpr double end_share = 0.5;     // of a piece of a line: beyond its end is not beside it
-constexpr double piece_share = 0.51;  // of the reach: half a piece, and rounding
+constexpr double kLeastCosine = 0.94;  // of 20°
+constexpr double kLargestSine = 0.342, kLargestTangent = 0.364;
+constexpr double kEndShare = 0.5;     // of a piece of a line: beyond its end is not beside it
+constexpr double kPieceShare = 0.51;  // of the reach: half a piece, and rounding
 
-Vector2d nearestTo(const Vector2d& begin, const Vector2d& end, const Vector2d& p) {
+Vector2d nearest_to(const Vector2d& begin, const Vector2d& end, const Vector2d& p) {
     const Vector2d way = end - begin;
     return begin + std::clamp(way.dot(p - begin) / way.squaredNorm(), 0., 1.) * way;
 }
 
-double distanceTo(const Vector2d& begin, const Vector2d& end, const Vector2d& p) {
-    return (nearestTo(begin, end, p) - p).norm();
+double distance_to(const Vector2d& begin, const Vector2d& end, const Vector2d& p) {
+    return (nearest_to(begin, end, p) - p).norm();
 }
 
-constexpr double farthest_next = 2;      // times the white: farther ones do not depend on the first
-constexpr double side_by_side = 0.7;     // of the longer one's length
-constexpr double least_strength = 0.75;  // of the first
-constexpr double kernel = laplacian_lines::kDrawnKernelWidths;  // pens
-constexpr double widest_gap = 4 * kernel;
-constexpr double unevenness = 0.25;    // of a gap's width
-constexpr double least_between = 0.8;  // of a line's length
-constexpr double least_beyond = 1 / 3.;
+constexpr double kFarthestNext = 2;      // times the white: farther ones do not depend on the first
+constexpr double kSideBySide = 0.7;      // of the longer one's length
+constexpr double kLeastStrength = 0.75;  // of the first
+constexpr double kKernel = laplacian_lines::kDrawnKernelWidths;  // pens
+constexpr double kWidestGap = 4 * kKernel;
+constexpr double kUnevenness = 0.25;   // of a gap's width
+constexpr double kLeastBetween = 0.8;  // of a line's length
+constexpr double kLeastBeyond = 1 / 3.;
 
 template <class Visit>
-void forEachPiece(const DrawnLine& line, double step, Visit visit) {
-    const std::vector<Vector2d> points = refine(positionsOf(line), step);
+void for_each_piece(const DrawnLine& line, double step, Visit visit) {
+    const std::vector<Vector2d> points = refine(positions_of(line), step);
     for (std::size_t i = 1; i < points.size(); ++i) {
         const Vector2d piece = points[i] - points[i - 1];
         visit((points[i] + points[i - 1]) / 2, piece.normalized(), piece.norm());
     }
 }
 
-Vector2d leftOf(const Vector2d& way) {
+Vector2d left_of(const Vector2d& way) {
     return {-way.y(), way.x()};
 }
 
@@ -56,18 +56,18 @@ struct Gap {
     bool has_third;  ///< a line as far beyond one of them
 };
 
-std::optional<Gap> gapAt(const Vector2d& point, const Vector2d& way, const DrawnLines& kept,
-                         double pen) {
-    const Vector2d left = leftOf(way), right = -left;
-    const DrawnLines::Distances within = {0, widest_gap * pen};
-    const auto on_left = kept.nextOn(point, left, within);
-    const auto on_right = on_left ? kept.nextOn(point, right, within) : std::nullopt;
+std::optional<Gap> gap_at(const Vector2d& point, const Vector2d& way, const DrawnLines& kept,
+                          double pen) {
+    const Vector2d left = left_of(way), right = -left;
+    const DrawnLines::Distances within = {0, kWidestGap * pen};
+    const auto on_left = kept.next_on(point, left, within);
+    const auto on_right = on_left ? kept.next_on(point, right, within) : std::nullopt;
     if (!on_right) return {};
     const double width = (on_left->position - on_right->position).norm();
-    if (width > widest_gap * pen) return {};
+    if (width > kWidestGap * pen) return {};
     const auto goes_on = [&](const DrawnLines::Neighbour& line, const Vector2d& side) {
-        return kept.nextOn(line.position, side,
-                           {(1 - unevenness) * width, (1 + unevenness) * width});
+        return kept.next_on(line.position, side,
+                            {(1 - kUnevenness) * width, (1 + kUnevenness) * width});
     };
     const double sign = on_left->way.dot(on_right->way) < 0 ? -1 : 1;
     const Vector2d along = (on_left->way + sign * on_right->way).normalized();
@@ -76,41 +76,43 @@ std::optional<Gap> gapAt(const Vector2d& point, const Vector2d& way, const Drawn
 }
 
 /// How far a gap extends from a place in it, up to `most`.
-double lengthFrom(Vector2d point, Vector2d way, double width, double most, const DrawnLines& kept,
-                  double pen) {
-    const double step = kernel * pen / 2;
+double length_from(Vector2d point, Vector2d way, double width, double most, const DrawnLines& kept,
+                   double pen) {
+    const double step = kKernel * pen / 2;
     double length = 0;
     for (; length < most; length += step) {
         point += step * way;
-        const auto gap = gapAt(point, way, kept, pen);
-        if (!gap || std::abs(gap->width - width) > unevenness * width) break;
+        const auto gap = gap_at(point, way, kept, pen);
+        if (!gap || std::abs(gap->width - width) > kUnevenness * width) break;
         way = gap->way;
     }
     return length;
 }
 
 /// The nearest line beside this one that is not `done`.
-std::optional<std::size_t> nextBeside(const std::vector<DrawnLine>& lines, std::size_t i,
-                                      double sign, const DrawnLines& all, double white,
-                                      const std::vector<bool>& done) {
+std::optional<std::size_t> next_beside(const std::vector<DrawnLine>& lines, std::size_t i,
+                                       double sign, const DrawnLines& all, double white,
+                                       const std::vector<bool>& done) {
     std::map<std::size_t, double> lengths;
-    forEachPiece(lines[i], white, [&](const Vector2d& middle, const Vector2d& way, double length) {
-        const auto next = all.nextOn(middle, sign * leftOf(way), {white, farthest_next * white},
-                                     [&](std::size_t line) { return done[line]; });
-        if (next) lengths[next->line] += length;
-    });
+    for_each_piece(lines[i], white,
+                   [&](const Vector2d& middle, const Vector2d& way, double length) {
+                       const auto next =
+                           all.next_on(middle, sign * left_of(way), {white, kFarthestNext * white},
+                                       [&](std::size_t line) { return done[line]; });
+                       if (next) lengths[next->line] += length;
+                   });
     const auto longest = std::max_element(lengths.begin(), lengths.end(),
                                           [](auto& a, auto& b) { return a.second < b.second; });
     if (longest == lengths.end()) return {};
     const double longer =
-        std::max(lengthOf(lines[i].points), lengthOf(lines[longest->first].points));
-    if (longest->second < side_by_side * longer) return {};
+        std::max(length_of(lines[i].points), length_of(lines[longest->first].points));
+    if (longest->second < kSideBySide * longer) return {};
     return longest->first;
 }
 
 }  // namespace
 
-std::int64_t DrawnLines::squareOf(double coordinate) const {
+std::int64_t DrawnLines::square_of(double coordinate) const {
     return std::int64_t(std::floor(coordinate / reach_));
 }
 
@@ -126,18 +128,18 @@ void DrawnLines::add(const std::vector<Vector2d>& line, std::size_t number) {
             const Piece piece = {line[i - 1] + way * (s / steps),
                                  line[i - 1] + way * ((s + 1) / steps), number};
             const Vector2d middle = (piece.begin + piece.end) / 2;
-            pieces_[cell(squareOf(middle.x()), squareOf(middle.y()))].push_back(piece);
+            pieces_[cell(square_of(middle.x()), square_of(middle.y()))].push_back(piece);
         }
     }
 }
 
 /// By squares that may hold the middle of such a piece: pieces are at most `reach` long.
 template <class Test>
-bool DrawnLines::anyPieceIn(const Eigen::AlignedBox2d& box, Test test) const {
+bool DrawnLines::any_piece_in(const Eigen::AlignedBox2d& box, Test test) const {
     if (pieces_.empty()) return false;
-    const double to_middle = piece_share * reach_;
-    const auto low = [&](double x) { return squareOf(x - to_middle); };
-    const auto high = [&](double x) { return squareOf(x + to_middle); };
+    const double to_middle = kPieceShare * reach_;
+    const auto low = [&](double x) { return square_of(x - to_middle); };
+    const auto high = [&](double x) { return square_of(x + to_middle); };
     for (std::int64_t x = low(box.min().x()); x <= high(box.max().x()); ++x)
         for (std::int64_t y = low(box.min().y()); y <= high(box.max().y()); ++y) {
             const auto found = pieces_.find(cell(x, y));
@@ -148,40 +150,40 @@ bool DrawnLines::anyPieceIn(const Eigen::AlignedBox2d& box, Test test) const {
 }
 
 template <class Test>
-bool DrawnLines::anyPieceNear(const Vector2d& point, double within, Test test) const {
+bool DrawnLines::any_piece_near(const Vector2d& point, double within, Test test) const {
     const Vector2d room = Vector2d::Constant(within);
-    return anyPieceIn(Eigen::AlignedBox2d(point - room, point + room), test);
+    return any_piece_in(Eigen::AlignedBox2d(point - room, point + room), test);
 }
 
-bool DrawnLines::runAlong(const Vector2d& point, const Vector2d& way, double within) const {
-    return anyPieceNear(point, within, [&](const Piece& piece) {
+bool DrawnLines::run_along(const Vector2d& point, const Vector2d& way, double within) const {
+    return any_piece_near(point, within, [&](const Piece& piece) {
         const Vector2d along = (piece.end - piece.begin).normalized();
-        return std::abs(along.dot(way)) >= least_cosine &&
-               distanceTo(piece.begin, piece.end, point) < within;
+        return std::abs(along.dot(way)) >= kLeastCosine &&
+               distance_to(piece.begin, piece.end, point) < within;
     });
 }
 
-bool DrawnLines::isBeside(const Vector2d& point, double within) const {
-    return anyPieceNear(point, within, [&](const Piece& piece) {
+bool DrawnLines::is_beside(const Vector2d& point, double within) const {
+    return any_piece_near(point, within, [&](const Piece& piece) {
         const Vector2d way = piece.end - piece.begin;
         const double t = way.dot(point - piece.begin) / way.squaredNorm();
-        const bool is_past = t < -end_share || t > 1 + end_share;
-        return !is_past && distanceTo(piece.begin, piece.end, point) < within;
+        const bool is_past = t < -kEndShare || t > 1 + kEndShare;
+        return !is_past && distance_to(piece.begin, piece.end, point) < within;
     });
 }
 
-bool DrawnLines::isNear(const Vector2d& point, std::size_t except, double within) const {
-    return anyPieceNear(point, within, [&](const Piece& piece) {
-        return piece.line != except && distanceTo(piece.begin, piece.end, point) <= within;
+bool DrawnLines::is_near(const Vector2d& point, std::size_t except, double within) const {
+    return any_piece_near(point, within, [&](const Piece& piece) {
+        return piece.line != except && distance_to(piece.begin, piece.end, point) <= within;
     });
 }
 
-std::optional<DrawnLines::Place> DrawnLines::nearestOn(const Vector2d& point, std::size_t except,
-                                                       double within) const {
+std::optional<DrawnLines::Place> DrawnLines::nearest_on(const Vector2d& point, std::size_t except,
+                                                        double within) const {
     std::optional<Place> nearest;
-    anyPieceNear(point, within, [&](const Piece& piece) {
+    any_piece_near(point, within, [&](const Piece& piece) {
         if (piece.line == except) return false;
-        const Vector2d place = nearestTo(piece.begin, piece.end, point);
+        const Vector2d place = nearest_to(piece.begin, piece.end, point);
         const double distance = (place - point).norm();
         if (distance > within) return false;
         within = distance;
@@ -191,22 +193,22 @@ std::optional<DrawnLines::Place> DrawnLines::nearestOn(const Vector2d& point, st
     return nearest;
 }
 
-std::optional<DrawnLines::Neighbour> DrawnLines::nextOn(
+std::optional<DrawnLines::Neighbour> DrawnLines::next_on(
     const Vector2d& point, const Vector2d& side, const Distances& distances,
     const std::function<bool(std::size_t)>& skips) const {
     std::optional<Neighbour> nearest;
     double most = distances.most;
-    const Vector2d farthest = point + most * side, aside = most * largest_tangent * leftOf(side);
+    const Vector2d farthest = point + most * side, aside = most * kLargestTangent * left_of(side);
     Eigen::AlignedBox2d box(point);
     box.extend(farthest + aside).extend(farthest - aside);
-    anyPieceIn(box, [&](const Piece& piece) {
-        const Vector2d across = nearestTo(piece.begin, piece.end, point) - point;
+    any_piece_in(box, [&](const Piece& piece) {
+        const Vector2d across = nearest_to(piece.begin, piece.end, point) - point;
         const double distance = across.norm();
         if (distance < distances.least || distance > most ||
-            across.dot(side) < least_cosine * distance)
+            across.dot(side) < kLeastCosine * distance)
             return false;
         const Vector2d way = (piece.end - piece.begin).normalized();
-        if (std::abs(way.dot(side)) > largest_sine || skips(piece.line)) return false;
+        if (std::abs(way.dot(side)) > kLargestSine || skips(piece.line)) return false;
         most = distance;
         nearest = Neighbour{point + across, way, piece.line};
         return false;
@@ -214,24 +216,24 @@ std::optional<DrawnLines::Neighbour> DrawnLines::nextOn(
     return nearest;
 }
 
-bool isCurvedContour(const DrawnLine& line) {
-    return line.line_class == LineClass::Contour && isSmooth(line);
+bool is_curved_contour(const DrawnLine& line) {
+    return line.line_class == LineClass::Contour && is_smooth(line);
 }
 
-bool isOnCurved(const DrawnLine& line) {
-    return isInner(line) || isCurvedContour(line);
+bool is_on_curved(const DrawnLine& line) {
+    return is_inner(line) || is_curved_contour(line);
 }
 
-DrawnLines allOf(const std::vector<DrawnLine>& lines, double reach) {
+DrawnLines all_of(const std::vector<DrawnLine>& lines, double reach) {
     DrawnLines all(reach);
     for (std::size_t i = 0; i < lines.size(); ++i)
-        all.add(positionsOf(lines[i]), i);
+        all.add(positions_of(lines[i]), i);
     return all;
 }
 
-void forEachByFamilies(const std::vector<DrawnLine>& lines, const std::vector<double>& strengths,
-                       double white, const std::function<bool(std::size_t)>& keep) {
-    const DrawnLines all = allOf(lines, farthest_next * white);
+void for_each_by_families(const std::vector<DrawnLine>& lines, const std::vector<double>& strengths,
+                          double white, const std::function<bool(std::size_t)>& keep) {
+    const DrawnLines all = all_of(lines, kFarthestNext * white);
     std::vector<bool> done(lines.size(), false);
     for (std::size_t first = 0; first < lines.size(); ++first)
         for (std::vector<std::size_t> next = {first}; !next.empty();) {
@@ -241,32 +243,32 @@ void forEachByFamilies(const std::vector<DrawnLine>& lines, const std::vector<do
             done[i] = true;
             if (!keep(i)) continue;
             for (const double sign : {-1., 1.}) {
-                const auto beside = nextBeside(lines, i, sign, all, white, done);
-                if (beside && strengths[*beside] >= least_strength * strengths[first])
+                const auto beside = next_beside(lines, i, sign, all, white, done);
+                if (beside && strengths[*beside] >= kLeastStrength * strengths[first])
                     next.push_back(*beside);
             }
         }
 }
 
-bool isBetweenFolds(const DrawnLine& line, const DrawnLines& kept, double pen) {
+bool is_between_folds(const DrawnLine& line, const DrawnLines& kept, double pen) {
     if (line.closed || line.points.size() < 2) return false;
     double length = 0, between = 0, third = 0, width = 0;
-    forEachPiece(line, kernel * pen,
-                 [&](const Vector2d& middle, const Vector2d& way, double piece) {
-                     length += piece;
-                     const auto gap = gapAt(middle, way, kept, pen);
-                     if (!gap) return;
-                     between += piece;
-                     width += piece * gap->width;
-                     if (gap->has_third) third += piece;
-                 });
-    if (between < least_between * length || third < between / 2) return false;
+    for_each_piece(line, kKernel * pen,
+                   [&](const Vector2d& middle, const Vector2d& way, double piece) {
+                       length += piece;
+                       const auto gap = gap_at(middle, way, kept, pen);
+                       if (!gap) return;
+                       between += piece;
+                       width += piece * gap->width;
+                       if (gap->has_third) third += piece;
+                   });
+    if (between < kLeastBetween * length || third < between / 2) return false;
     double beyond = 0;
     for (const bool is_last : {false, true})
-        beyond += lengthFrom((is_last ? line.points.back() : line.points.front()).position,
-                             outwardsAt(line.points, is_last, kernel * pen), width / between,
-                             length, kept, pen);
-    return beyond > least_beyond * length;
+        beyond += length_from((is_last ? line.points.back() : line.points.front()).position,
+                              outwards_at(line.points, is_last, kKernel * pen), width / between,
+                              length, kept, pen);
+    return beyond > kLeastBeyond * length;
 }
 
 }  // namespace line_drawing

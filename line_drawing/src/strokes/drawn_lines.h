@@ -13,11 +13,11 @@
 namespace line_drawing {
 
 /// In reaches: nearer than this leaves no white between lines.
-constexpr double beside_reach = 1.4;
+constexpr double kBesideReach = 1.4;
 /// In reaches: nearer than this is the same place.
-constexpr double same_reach = 0.1;
+constexpr double kSameReach = 0.1;
 /// Cosine of the least turn at which a line doubles back: 120°.
-constexpr double reversal = -0.5;
+constexpr double kReversal = -0.5;
 
 /// Lines already on the paper, to ask whether another would double them. Millimetres.
 class DrawnLines {
@@ -28,20 +28,20 @@ public:
     void add(const std::vector<Eigen::Vector2d>& line, std::size_t number = 0);
 
     /// Whether a line this near runs along the unit direction `way`, within 20°.
-    bool runAlong(const Eigen::Vector2d& point, const Eigen::Vector2d& way, double within) const;
+    bool run_along(const Eigen::Vector2d& point, const Eigen::Vector2d& way, double within) const;
 
     /// Whether `point` is this near beside a line in any direction, not beyond its end.
-    bool isBeside(const Eigen::Vector2d& point, double within) const;
+    bool is_beside(const Eigen::Vector2d& point, double within) const;
 
     /// Whether any but that one is this near.
-    bool isNear(const Eigen::Vector2d& point, std::size_t except, double within) const;
+    bool is_near(const Eigen::Vector2d& point, std::size_t except, double within) const;
     /// The nearest place on any but that one, and its line.
     struct Place {
         Eigen::Vector2d position;
         std::size_t line;
     };
-    std::optional<Place> nearestOn(const Eigen::Vector2d& point, std::size_t except,
-                                   double within) const;
+    std::optional<Place> nearest_on(const Eigen::Vector2d& point, std::size_t except,
+                                    double within) const;
 
     /// The nearest line on the side where the unit vector `side` points, within 20°, that runs
     /// across it; not those that `skips` names.
@@ -52,7 +52,7 @@ public:
     struct Distances {
         double least, most;
     };
-    std::optional<Neighbour> nextOn(
+    std::optional<Neighbour> next_on(
         const Eigen::Vector2d& point, const Eigen::Vector2d& side, const Distances& distances,
         const std::function<bool(std::size_t)>& skips = [](std::size_t) { return false; }) const;
 
@@ -63,35 +63,35 @@ private:
     };
     using Cell = std::uint64_t;
 
-    std::int64_t squareOf(double coordinate) const;
+    std::int64_t square_of(double coordinate) const;
     static Cell cell(std::int64_t x, std::int64_t y);
     /// Of pieces with a place in the box, until test(piece) is true; whether it was.
     template <class Test>
-    bool anyPieceIn(const Eigen::AlignedBox2d& box, Test test) const;
+    bool any_piece_in(const Eigen::AlignedBox2d& box, Test test) const;
     template <class Test>
-    bool anyPieceNear(const Eigen::Vector2d& point, double within, Test test) const;
+    bool any_piece_near(const Eigen::Vector2d& point, double within, Test test) const;
 
     const double reach_;
     std::unordered_map<Cell, std::vector<Piece>> pieces_;  // in squares as wide as the reach
 };
 
-bool isCurvedContour(const DrawnLine& line);
+bool is_curved_contour(const DrawnLine& line);
 
 /// Whether a line shows the form of a curved surface: an inner line, or a contour.
-bool isOnCurved(const DrawnLine& line);
+bool is_on_curved(const DrawnLine& line);
 
-DrawnLines allOf(const std::vector<DrawnLine>& lines, double reach);
+DrawnLines all_of(const std::vector<DrawnLine>& lines, double reach);
 
 /// Calls `keep` once with the number of each line; it returns whether the line is drawn whole. In
 /// order of `strengths`, largest first, but a drawn line is followed by its nearest neighbour to
 /// each side beyond `white`, mm between middles, that is nearly as long and at least three quarters
 /// as strong as the first: so every second or third of close folds is drawn.
-void forEachByFamilies(const std::vector<DrawnLine>& lines, const std::vector<double>& strengths,
-                       double white, const std::function<bool(std::size_t)>& keep);
+void for_each_by_families(const std::vector<DrawnLine>& lines, const std::vector<double>& strengths,
+                          double white, const std::function<bool(std::size_t)>& keep);
 
 /// Whether a line stands in the middle of three evenly spaced folds that go on side by side beyond
 /// its ends, for a third of its length, with nothing between them. Folds less than four √h apart
 /// are even anyway. `kept`: drawn lines; `pen` of inner lines, mm.
-bool isBetweenFolds(const DrawnLine& line, const DrawnLines& kept, double pen);
+bool is_between_folds(const DrawnLine& line, const DrawnLines& kept, double pen);
 
 }  // namespace line_drawing

@@ -12,14 +12,14 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double shortest_double = 4;  // reaches; where lines meet they are near for a while
-constexpr double step_share = 0.25;    // of the reach: between the places of a line looked at
-constexpr int overlap = 5;             // of these places, a little more than a reach
+constexpr double kShortestDouble = 4;  // reaches; where lines meet they are near for a while
+constexpr double kStepShare = 0.25;    // of the reach: between the places of a line looked at
+constexpr int kOverlap = 5;            // of these places, a little more than a reach
 // Short lines, of up to two shortest doubles, with this share beside others add nothing.
-constexpr double most_beside = 0.8;
+constexpr double kMostBeside = 0.8;
 
 /// Sections first: drawings with sections are about them.
-int rankOf(LineClass line_class) {
+int rank_of(LineClass line_class) {
     return line_class == LineClass::Section ? -1 : int(line_class);
 }
 
@@ -27,11 +27,11 @@ int rankOf(LineClass line_class) {
 class JogRemoval {
 public:
     JogRemoval(const DrawnLine& line, double reach)
-        : line_(line), points_(refine(line.points, step_share * reach)), reach_(reach) {}
+        : line_(line), points_(refine(line.points, kStepShare * reach)), reach_(reach) {}
 
     DrawnLine result() const {
         DrawnLine straight{line_.line_class, line_.closed, {}};
-        for (std::size_t i = 0; i < points_.size(); i = nextAfter(i))
+        for (std::size_t i = 0; i < points_.size(); i = next_after(i))
             straight.points.push_back(points_[i]);
         return straight.points.size() == points_.size() ? line_ : straight;
     }
@@ -43,21 +43,21 @@ private:
     Vector2d way(std::size_t i, bool after) const {
         std::size_t k = i;
         const std::size_t end = after ? points_.size() - 1 : 0;
-        while (k != end && (at(k) - at(i)).norm() < step_share * reach_)
+        while (k != end && (at(k) - at(i)).norm() < kStepShare * reach_)
             after ? ++k : --k;
         return ((after ? 1 : -1) * (at(k) - at(i))).stableNormalized();
     }
 
     /// The point after the jog that begins here, if one does.
-    std::size_t nextAfter(std::size_t i) const {
+    std::size_t next_after(std::size_t i) const {
         if (i == 0 || i + 1 == points_.size()) return i + 1;
         const Vector2d before = way(i, false);
-        if ((at(i + 1) - at(i)).normalized().dot(before) > reversal) return i + 1;
+        if ((at(i + 1) - at(i)).normalized().dot(before) > kReversal) return i + 1;
         double length = 0;
         for (std::size_t k = i + 1; k + 1 < points_.size(); ++k) {
             length += (at(k) - at(k - 1)).norm();
             const Vector2d aside = at(k) - at(i);
-            if (length > shortest_double * reach_) break;
+            if (length > kShortestDouble * reach_) break;
             if (aside.norm() < reach_ && aside.dot(before) > 0 && way(k, true).dot(before) > 0)
                 return k;
         }
@@ -73,23 +73,23 @@ class LineCutter {
 public:
     LineCutter(const DrawnLine& line, const DrawnLines& there, double reach)
         : line_(line),
-          points_(refine(line.points, step_share * reach)),
+          points_(refine(line.points, kStepShare * reach)),
           is_double_(points_.size()) {
         std::vector<bool> is_same(points_.size());
         for (std::size_t i = 0; i < points_.size(); ++i) {
-            is_double_[i] = there.runAlong(points_[i].position, wayAt(i), reach);
-            is_same[i] =
-                is_double_[i] && there.runAlong(points_[i].position, wayAt(i), same_reach * reach);
+            is_double_[i] = there.run_along(points_[i].position, way_at(i), reach);
+            is_same[i] = is_double_[i] &&
+                         there.run_along(points_[i].position, way_at(i), kSameReach * reach);
         }
-        forgetShortRuns(is_double_, shortest_double * reach);
-        forgetShortRuns(is_same, step_share * reach / 2);
-        for (int i = 0; i < overlap; ++i)
-            shortenRuns();
+        forget_short_runs(is_double_, kShortestDouble * reach);
+        forget_short_runs(is_same, kStepShare * reach / 2);
+        for (int i = 0; i < kOverlap; ++i)
+            shorten_runs();
         for (std::size_t i = 0; i < points_.size(); ++i)
             if (is_same[i]) is_double_[i] = true;
     }
 
-    void appendRest(std::vector<DrawnLine>& rest) const {
+    void append_rest(std::vector<DrawnLine>& rest) const {
         if (std::find(is_double_.begin(), is_double_.end(), true) == is_double_.end()) {
             rest.push_back(line_);
             return;
@@ -106,13 +106,13 @@ public:
     }
 
 private:
-    Vector2d wayAt(std::size_t i) const {
+    Vector2d way_at(std::size_t i) const {
         const std::size_t last = points_.size() - 1;
         return (points_[std::min(i + 1, last)].position - points_[i == 0 ? 0 : i - 1].position)
             .stableNormalized();
     }
 
-    void forgetShortRuns(std::vector<bool>& is_in, double shortest) const {
+    void forget_short_runs(std::vector<bool>& is_in, double shortest) const {
         for (std::size_t begin = 0; begin < is_in.size();) {
             std::size_t end = begin;
             while (end < is_in.size() && is_in[end] == is_in[begin])
@@ -126,7 +126,7 @@ private:
     }
 
     /// What is left ends beside the line that it doubled, without a gap.
-    void shortenRuns() {
+    void shorten_runs() {
         const std::vector<bool> before = is_double_;
         for (std::size_t i = 0; i < before.size(); ++i) {
             const bool has_rest_beside =
@@ -140,35 +140,35 @@ private:
     std::vector<bool> is_double_;
 };
 
-bool addsNothing(const DrawnLine& line, const DrawnLines& there, double reach) {
-    if (lengthOf(line.points) > 2 * shortest_double * reach) return false;
+bool adds_nothing(const DrawnLine& line, const DrawnLines& there, double reach) {
+    if (length_of(line.points) > 2 * kShortestDouble * reach) return false;
     for (const DrawnPoint& end : {line.points.front(), line.points.back()})
-        if (!there.isBeside(end.position, reach)) return false;  // another line may end there
-    const std::vector<DrawnPoint> points = refine(line.points, step_share * reach);
+        if (!there.is_beside(end.position, reach)) return false;  // another line may end there
+    const std::vector<DrawnPoint> points = refine(line.points, kStepShare * reach);
     const auto beside = std::count_if(points.begin(), points.end(), [&](const DrawnPoint& point) {
-        return there.isBeside(point.position, beside_reach * reach);
+        return there.is_beside(point.position, kBesideReach * reach);
     });
-    return double(beside) >= most_beside * double(points.size());
+    return double(beside) >= kMostBeside * double(points.size());
 }
 
-bool liesOn(const DrawnLines& there, const DrawnLine& line, double reach) {
-    const std::vector<DrawnPoint> points = refine(line.points, step_share * reach);
+bool lies_on(const DrawnLines& there, const DrawnLine& line, double reach) {
+    const std::vector<DrawnPoint> points = refine(line.points, kStepShare * reach);
     return std::all_of(points.begin(), points.end(), [&](const DrawnPoint& point) {
-        return there.isBeside(point.position, same_reach * reach);
+        return there.is_beside(point.position, kSameReach * reach);
     });
 }
 
 /// Joined ends may have made lines equal: keeps the longest.
-std::vector<DrawnLine> withoutEqual(const std::vector<DrawnLine>& lines, double reach) {
+std::vector<DrawnLine> without_equal(const std::vector<DrawnLine>& lines, double reach) {
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < lines.size(); ++i)
-        order.emplace_back(-lengthOf(lines[i].points), i);
+        order.emplace_back(-length_of(lines[i].points), i);
     std::sort(order.begin(), order.end());
     DrawnLines there(reach);
     std::vector<bool> is_kept(lines.size());
     for (const auto& [length, i] : order) {
-        is_kept[i] = lines[i].line_class == LineClass::Outline || !liesOn(there, lines[i], reach);
-        if (is_kept[i]) there.add(positionsOf(lines[i]));
+        is_kept[i] = lines[i].line_class == LineClass::Outline || !lies_on(there, lines[i], reach);
+        if (is_kept[i]) there.add(positions_of(lines[i]));
     }
     std::vector<DrawnLine> rest;
     for (std::size_t i = 0; i < lines.size(); ++i)
@@ -177,10 +177,10 @@ std::vector<DrawnLine> withoutEqual(const std::vector<DrawnLine>& lines, double 
 }
 
 // mm; the second one of contours of curved surfaces, which the roughness of a scan makes
-constexpr double shortest_line = 0.8, shortest_contour_end = 3 * shortest_line;
+constexpr double kShortestLine = 0.8, kShortestContourEnd = 3 * kShortestLine;
 
-bool isSlight(const DrawnLine& line, const SheetOptions& options) {
-    return isCurvedContour(line) && line.jump < options.pens[std::size_t(LineClass::Inner)];
+bool is_slight(const DrawnLine& line, const SheetOptions& options) {
+    return is_curved_contour(line) && line.jump < options.pens[std::size_t(LineClass::Inner)];
 }
 
 class Nodes {
@@ -192,7 +192,7 @@ public:
                     ++lines_[line.points[i].node];
     }
 
-    bool isJunction(const DrawnPoint& point) const {
+    bool is_junction(const DrawnPoint& point) const {
         const auto found = lines_.find(point.node);
         return found != lines_.end() && found->second > 1;
     }
@@ -203,53 +203,53 @@ private:
 
 /// Of what ends in nothing. A contour that meets nothing at all and is shorter than √h goes round a
 /// triangle or two which face away by chance.
-double shortestEnd(const Nodes& nodes, const DrawnLine& line, const SheetOptions& options) {
-    if (!isCurvedContour(line)) return shortest_line;
+double shortest_end(const Nodes& nodes, const DrawnLine& line, const SheetOptions& options) {
+    if (!is_curved_contour(line)) return kShortestLine;
     const bool is_alone = std::none_of(line.points.begin(), line.points.end(),
-                                       [&](const DrawnPoint& p) { return nodes.isJunction(p); });
-    return is_alone ? std::max(shortest_contour_end, options.kernel.size) : shortest_contour_end;
+                                       [&](const DrawnPoint& p) { return nodes.is_junction(p); });
+    return is_alone ? std::max(kShortestContourEnd, options.kernel.size) : kShortestContourEnd;
 }
 
 /// Cuts off ends shorter than `shortest` between nothing and the next junction.
-void trimEnd(const Nodes& nodes, double shortest, std::vector<DrawnPoint>& points) {
-    if (points.size() < 2 || nodes.isJunction(points.back())) return;
+void trim_end(const Nodes& nodes, double shortest, std::vector<DrawnPoint>& points) {
+    if (points.size() < 2 || nodes.is_junction(points.back())) return;
     std::size_t last = points.size() - 1;
-    while (last > 0 && !nodes.isJunction(points[last]))
+    while (last > 0 && !nodes.is_junction(points[last]))
         --last;
-    if (lengthOf(points, last) < shortest) points.resize(last + 1);
+    if (length_of(points, last) < shortest) points.resize(last + 1);
 }
 
 /// A loop that its stroke fills is a dot, which shows no form.
-bool isDot(const DrawnLine& line, double shortest) {
+bool is_dot(const DrawnLine& line, double shortest) {
     Eigen::AlignedBox2d box;
     for (const DrawnPoint& point : line.points)
         box.extend(point.position);
-    return box.sizes().maxCoeff() < shortest / 2 || lengthOf(line.points) < shortest;
+    return box.sizes().maxCoeff() < shortest / 2 || length_of(line.points) < shortest;
 }
 
 void trim(const Nodes& nodes, double shortest, DrawnLine& line) {
     if (line.closed) {
-        if (isDot(line, shortest)) line.points.clear();
+        if (is_dot(line, shortest)) line.points.clear();
         return;
     }
-    trimEnd(nodes, shortest, line.points);
+    trim_end(nodes, shortest, line.points);
     std::reverse(line.points.begin(), line.points.end());
-    trimEnd(nodes, shortest, line.points);
+    trim_end(nodes, shortest, line.points);
     std::reverse(line.points.begin(), line.points.end());
 }
 
 }  // namespace
 
-std::vector<DrawnLine> withoutDoubles(std::vector<DrawnLine> lines, double reach) {
+std::vector<DrawnLine> without_doubles(std::vector<DrawnLine> lines, double reach) {
     for (DrawnLine& line : lines)
         if (line.points.size() > 2 && line.line_class != LineClass::Outline)
             line = JogRemoval(line, reach).result();
     std::vector<std::pair<double, std::size_t>> order;  // -length, so that the longest come first
     for (std::size_t i = 0; i < lines.size(); ++i)
-        order.emplace_back(-lengthOf(lines[i].points), i);
+        order.emplace_back(-length_of(lines[i].points), i);
     std::sort(order.begin(), order.end(), [&](const auto& a, const auto& b) {
-        const int of_a = rankOf(lines[a.second].line_class),
-                  of_b = rankOf(lines[b.second].line_class);
+        const int of_a = rank_of(lines[a.second].line_class),
+                  of_b = rank_of(lines[b.second].line_class);
         return of_a != of_b ? of_a < of_b : a < b;
     });
     DrawnLines there(reach);
@@ -257,32 +257,32 @@ std::vector<DrawnLine> withoutDoubles(std::vector<DrawnLine> lines, double reach
     for (const auto& [length, i] : order) {
         if (lines[i].line_class == LineClass::Outline) {  // whole, whatever is beside them
             rest.push_back(lines[i]);
-            there.add(positionsOf(lines[i]));
+            there.add(positions_of(lines[i]));
             continue;
         }
         parts.clear();
-        if (lines[i].points.size() > 1) LineCutter(lines[i], there, reach).appendRest(parts);
+        if (lines[i].points.size() > 1) LineCutter(lines[i], there, reach).append_rest(parts);
         const auto slight = std::stable_partition(
             parts.begin(), parts.end(),
-            [&](const DrawnLine& part) { return !addsNothing(part, there, reach); });
+            [&](const DrawnLine& part) { return !adds_nothing(part, there, reach); });
         for (auto part = parts.begin(); part != slight; ++part)
-            there.add(positionsOf(*part));
+            there.add(positions_of(*part));
         rest.insert(rest.end(), parts.begin(), slight);
         left_out.insert(left_out.end(), slight, parts.end());
     }
-    joinLooseEnds(rest, left_out, reach);
-    return withoutEqual(rest, reach);
+    join_loose_ends(rest, left_out, reach);
+    return without_equal(rest, reach);
 }
 
-std::vector<DrawnLine> withoutSlightLines(std::vector<DrawnLine> lines,
-                                          const SheetOptions& options) {
+std::vector<DrawnLine> without_slight_lines(std::vector<DrawnLine> lines,
+                                            const SheetOptions& options) {
     lines.erase(std::remove_if(lines.begin(), lines.end(),
-                               [&](const DrawnLine& line) { return isSlight(line, options); }),
+                               [&](const DrawnLine& line) { return is_slight(line, options); }),
                 lines.end());
     const Nodes nodes(lines);
     for (DrawnLine& line : lines)
         if (line.line_class != LineClass::Outline)
-            trim(nodes, shortestEnd(nodes, line, options), line);
+            trim(nodes, shortest_end(nodes, line, options), line);
     lines.erase(std::remove_if(lines.begin(), lines.end(),
                                [](const DrawnLine& line) { return line.points.size() < 2; }),
                 lines.end());

@@ -15,10 +15,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double step_share = 1.5;  // of the reach, between the places that are moved
-constexpr int rounds = 60;          // of the elastic line
+constexpr double kStepShare = 1.5;  // of the reach, between the places that are moved
+constexpr int kRounds = 60;         // of the elastic line
 // Of it for being off a point's place: the first rounds take out waves of some twenty points.
-constexpr double penalty = 0.01, penalty_of_fixed = 100;
+constexpr double kPenalty = 0.01, kPenaltyOfFixed = 100;
 
 using EvenPoints = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 using Matrix = Eigen::SparseMatrix<double>;
@@ -37,7 +37,7 @@ Matrix bends(Eigen::Index n, bool closed) {
     return result;
 }
 
-void pullInto(const EvenPoints& middles, const std::vector<double>& reach, EvenPoints& points) {
+void pull_into(const EvenPoints& middles, const std::vector<double>& reach, EvenPoints& points) {
     for (Eigen::Index i = 0; i < points.rows(); ++i) {
         const Eigen::RowVector2d off = points.row(i) - middles.row(i);
         const double distance = off.norm(), most = reach[std::size_t(i)];
@@ -50,24 +50,24 @@ void pullInto(const EvenPoints& middles, const std::vector<double>& reach, EvenP
 /// repeat its first point. By the alternating direction method of multipliers: Boyd et al.,
 /// "Distributed Optimization and Statistical Learning via the Alternating Direction Method of
 /// Multipliers" (2011), section 5.2.
-EvenPoints bendLeast(const EvenPoints& points, const std::vector<double>& reach, bool closed) {
+EvenPoints bend_least(const EvenPoints& points, const std::vector<double>& reach, bool closed) {
     const Eigen::Index n = points.rows();
     if (n < 3) return points;
     const Matrix second = bends(n, closed);
     Eigen::VectorXd penalties(n);
     for (Eigen::Index i = 0; i < n; ++i)
-        penalties[i] = reach[std::size_t(i)] > 0 ? penalty : penalty_of_fixed;
+        penalties[i] = reach[std::size_t(i)] > 0 ? kPenalty : kPenaltyOfFixed;
     Matrix system = second.transpose() * second;
     system += Matrix(penalties.asDiagonal());
     const Eigen::SimplicialLDLT<Matrix> solver(system);
     EvenPoints inside = points, smooth = points, scaled_dual = EvenPoints::Zero(n, 2);
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < kRounds; ++round) {
         smooth = solver.solve(penalties.asDiagonal() * (inside - scaled_dual));
         inside = smooth + scaled_dual;
-        pullInto(points, reach, inside);
+        pull_into(points, reach, inside);
         scaled_dual += smooth - inside;
     }
-    pullInto(points, reach, smooth);
+    pull_into(points, reach, smooth);
     return smooth;
 }
 
@@ -80,7 +80,7 @@ public:
         steps_ = std::size_t(std::ceil(along_.back() / step));
     }
 
-    bool isLong() const { return steps_ >= 2; }
+    bool is_long() const { return steps_ >= 2; }
 
     /// Exact points and ends stay.
     void ease(double reach, bool closed) {
@@ -88,12 +88,12 @@ public:
         EvenPoints places(Eigen::Index(count), 2);
         std::vector<double> reaches(count, reach);
         for (std::size_t i = 0; i < count; ++i) {
-            even_.push_back(pointAt(double(i) / double(steps_) * along_.back()));  // exact at 1
+            even_.push_back(point_at(double(i) / double(steps_) * along_.back()));  // exact at 1
             places.row(Eigen::Index(i)) = even_[i].position.transpose();
             if (even_[i].stays()) reaches[i] = 0;
         }
         if (!closed) reaches.front() = reaches.back() = 0;
-        places = bendLeast(places, reaches, closed);
+        places = bend_least(places, reaches, closed);
         for (std::size_t i = 0; i < count; ++i)
             even_[i].position = places.row(Eigen::Index(i)).transpose();
         if (closed) even_.push_back(even_.front());
@@ -104,7 +104,7 @@ public:
     const std::vector<DrawnPoint>& result() const { return even_; }
 
     /// Where a point of the line is now.
-    Vector2d placeOf(std::size_t point) const {
+    Vector2d place_of(std::size_t point) const {
         const double at = along_[point] / along_.back() * double(steps_);
         const std::size_t i = std::min(std::size_t(at), steps_ - 1);
         return between(even_[i].position, even_[i + 1].position, at - double(i));
@@ -115,7 +115,7 @@ private:
         return (b.position - a.position).norm();
     }
 
-    DrawnPoint pointAt(double length) const {
+    DrawnPoint point_at(double length) const {
         const auto after = std::lower_bound(along_.begin(), along_.end(), length);
         const std::size_t i = std::min(std::size_t(after - along_.begin()), along_.size() - 1);
         if (i == 0) return points_[0];
@@ -159,8 +159,8 @@ private:
 
     void ease(DrawnLine& line, Moved& moved) const {
         const std::vector<DrawnPoint>& points = line.points;
-        if (line.closed && !beginAtExact(line)) {
-            line.points = easedStretch(points, true, moved);
+        if (line.closed && !begin_at_exact(line)) {
+            line.points = eased_stretch(points, true, moved);
             return;
         }
         std::vector<DrawnPoint> eased;
@@ -169,14 +169,14 @@ private:
             }
             const std::vector<DrawnPoint> stretch(points.begin() + std::ptrdiff_t(begin),
                                                   points.begin() + std::ptrdiff_t(end) + 1);
-            const auto part = easedStretch(stretch, false, moved);
+            const auto part = eased_stretch(stretch, false, moved);
             eased.insert(eased.end(), part.begin() + (eased.empty() ? 0 : 1), part.end());
         }
         line.points = std::move(eased);
     }
 
     /// Rotates a closed line so; false if none of its points is exact.
-    static bool beginAtExact(DrawnLine& line) {
+    static bool begin_at_exact(DrawnLine& line) {
         std::vector<DrawnPoint>& points = line.points;
         const auto first = std::find_if(points.begin(), points.end() - 1,
                                         [](const DrawnPoint& point) { return point.is_exact; });
@@ -186,15 +186,15 @@ private:
         return true;
     }
 
-    std::vector<DrawnPoint> easedStretch(const std::vector<DrawnPoint>& points, bool closed,
-                                         Moved& moved) const {
+    std::vector<DrawnPoint> eased_stretch(const std::vector<DrawnPoint>& points, bool closed,
+                                          Moved& moved) const {
         if (points.size() < 3) return points;
-        EvenLine even(points, step_share * reach_);
-        if (!even.isLong()) return points;
+        EvenLine even(points, kStepShare * reach_);
+        if (!even.is_long()) return points;
         even.ease(reach_, closed);
         for (std::size_t i = closed ? 0 : 1; i + 1 < points.size(); ++i)
             if (points[i].node != laplacian_lines::kNoSightNode)
-                moved.emplace_back(points[i].node, even.placeOf(i));
+                moved.emplace_back(points[i].node, even.place_of(i));
         return even.result();
     }
 
@@ -202,13 +202,13 @@ private:
     std::unordered_map<std::uint32_t, Vector2d> moved_;  // nodes
 };
 
-bool isContour(const DrawnLine& line) {
+bool is_contour(const DrawnLine& line) {
     return line.line_class == LineClass::Outline || line.line_class == LineClass::Contour;
 }
 
 }  // namespace
 
-void easeLines(std::vector<DrawnLine>& lines, double reach) {
+void ease_lines(std::vector<DrawnLine>& lines, double reach) {
     Easing easing(reach);
     for (const LineClass c : {LineClass::Outline, LineClass::Contour}) {
         easing.ease(c, lines);
@@ -216,17 +216,17 @@ void easeLines(std::vector<DrawnLine>& lines, double reach) {
             easing.follow(line);
     }
     for (DrawnLine& line : lines)
-        if (isContour(line))
+        if (is_contour(line))
             for (DrawnPoint& point : line.points)
                 point.is_eased = true;
 }
 
-void easeInnerLines(std::vector<DrawnLine>& lines, double reach) {
+void ease_inner_lines(std::vector<DrawnLine>& lines, double reach) {
     laplacian_lines::in_parallel(lines.size(), [&](std::size_t i) {
         DrawnLine& line = lines[i];
-        if (isFixed(line) || line.points.size() < 3) return;
-        EvenLine even(line.points, step_share * reach);
-        if (!even.isLong()) return;
+        if (is_fixed(line) || line.points.size() < 3) return;
+        EvenLine even(line.points, kStepShare * reach);
+        if (!even.is_long()) return;
         even.ease(reach, line.closed);
         line.points = even.result();
     });

@@ -9,10 +9,10 @@
 
 namespace line_drawing {
 
-inline const Eigen::Vector2d& positionOf(const Eigen::Vector2d& point) {
+inline const Eigen::Vector2d& position_of(const Eigen::Vector2d& point) {
     return point;
 }
-inline const Eigen::Vector2d& positionOf(const DrawnPoint& point) {
+inline const Eigen::Vector2d& position_of(const DrawnPoint& point) {
     return point.position;
 }
 inline Eigen::Vector2d between(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double t) {
@@ -33,7 +33,7 @@ std::vector<Point> refine(const std::vector<Point>& points, double step) {
     for (const Point& p : points) {
         if (!result.empty()) {
             const Point from = result.back();
-            const double pieces = std::ceil((positionOf(p) - positionOf(from)).norm() / step);
+            const double pieces = std::ceil((position_of(p) - position_of(from)).norm() / step);
             if (!(pieces > 0)) continue;
             for (double i = 1; i < pieces; ++i)
                 result.push_back(between(from, p, i / pieces));

@@ -11,18 +11,18 @@ namespace {
 using Eigen::Vector2d;
 using Points = std::vector<Vector2d>;
 
-constexpr double tolerance = 0.02;        // mm; of curves against the lines
-constexpr double thinnest_stroke = 0.06;  // mm; where it is less a line is drawn so thin
+constexpr double kTolerance = 0.02;       // mm; of curves against the lines
+constexpr double kThinnestStroke = 0.06;  // mm; where it is less a line is drawn so thin
 
-constexpr double largest_unevenness = 0.01;  // share of the width that nobody sees
-constexpr double cosine_of_join = 0.9;       // of 26°; smaller turns are mitred, larger ones round
-constexpr double join_step = 0.4;            // of the turn
-constexpr double covered_share = 0.9;        // of the radius: edges of tapers are near wider places
-constexpr double least_round_width = 0.1;    // mm; ends of thinner strokes are cut off
-constexpr double half_turn = 3.141592653589793;
+constexpr double kLargestUnevenness = 0.01;  // share of the width that nobody sees
+constexpr double kCosineOfJoin = 0.9;        // of 26°; smaller turns are mitred, larger ones round
+constexpr double kJoinStep = 0.4;            // of the turn
+constexpr double kCoveredShare = 0.9;        // of the radius: edges of tapers are near wider places
+constexpr double kLeastRoundWidth = 0.1;     // mm; ends of thinner strokes are cut off
+constexpr double kHalfTurn = 3.141592653589793;
 
 // mm; as ISO 128 has it for this pen, nearly
-constexpr double dash = 2, shortest_dashed_line = 3 * dash;
+constexpr double kDash = 2, kShortestDashedLine = 3 * kDash;
 
 struct Spine {
     Points points;               // on the sheet
@@ -30,7 +30,7 @@ struct Spine {
     double length = 0;
 };
 
-Spine spineOf(const DrawnLine& line, double pen) {
+Spine spine_of(const DrawnLine& line, double pen) {
     Spine spine;
     for (const DrawnPoint& point : line.points) {
         const Vector2d& p = point.position;
@@ -46,7 +46,7 @@ Spine spineOf(const DrawnLine& line, double pen) {
 }
 
 /// On a sheet whose y points down.
-Vector2d rightOf(const Vector2d& way) {
+Vector2d right_of(const Vector2d& way) {
     return {-way.y(), way.x()};
 }
 
@@ -59,8 +59,8 @@ public:
     }
 
     /// Unit, of the first and the last piece.
-    const Vector2d& firstWay() const { return ways_.front(); }
-    const Vector2d& lastWay() const { return ways_.back(); }
+    const Vector2d& first_way() const { return ways_.front(); }
+    const Vector2d& last_way() const { return ways_.back(); }
 
     /// `side`: 1 for the right edge, -1 for the left one. That of a closed line ends as it begins.
     Points edge(int side) const {
@@ -75,20 +75,22 @@ public:
     }
 
 private:
-    double radiusAt(std::size_t i) const { return std::max(spine_.widths[i], thinnest_stroke) / 2; }
+    double radius_at(std::size_t i) const {
+        return std::max(spine_.widths[i], kThinnestStroke) / 2;
+    }
 
     void join(std::size_t i, int side, const Vector2d& before, const Vector2d& after,
               Points& edge) const {
-        const Vector2d from = side * radiusAt(i) * rightOf(before),
-                       to = side * radiusAt(i) * rightOf(after);
+        const Vector2d from = side * radius_at(i) * right_of(before),
+                       to = side * radius_at(i) * right_of(after);
         const double cosine = std::clamp(before.dot(after), -1., 1.);
-        if (cosine > cosine_of_join) return add(i, (from + to) / (1 + cosine), edge);
+        if (cosine > kCosineOfJoin) return add(i, (from + to) / (1 + cosine), edge);
         const double turn = std::atan2(before.x() * after.y() - before.y() * after.x(), cosine);
         if (side * turn > 0) {  // the inner side
             add(i, from, edge);
             return add(i, to, edge);
         }
-        const double steps = std::ceil(std::abs(turn) / join_step);
+        const double steps = std::ceil(std::abs(turn) / kJoinStep);
         for (double k = 0; k <= steps; ++k)
             edge.push_back(spine_.points[i] + Eigen::Rotation2Dd(turn * k / steps) * from);
     }
@@ -96,23 +98,23 @@ private:
     /// On the inner side of a tight turn the stroke covers its own edge, which would be a knot.
     void add(std::size_t i, const Vector2d& offset, Points& edge) const {
         const Vector2d place = spine_.points[i] + offset;
-        if (!isCovered(i, place, 1) && !isCovered(i, place, -1)) edge.push_back(place);
+        if (!is_covered(i, place, 1) && !is_covered(i, place, -1)) edge.push_back(place);
     }
 
     /// By the pieces before or after a point, as far as they may reach.
-    bool isCovered(std::size_t i, const Vector2d& place, int step) const {
+    bool is_covered(std::size_t i, const Vector2d& place, int step) const {
         const auto count = std::ptrdiff_t(ways_.size());
         std::ptrdiff_t piece = std::ptrdiff_t(i) - (step < 0);
         double length = 0;
-        for (std::ptrdiff_t k = 0; k < count && length < 2 * radiusAt(i); ++k, piece += step) {
+        for (std::ptrdiff_t k = 0; k < count && length < 2 * radius_at(i); ++k, piece += step) {
             if (closed_) piece = (piece + count) % count;
             if (piece < 0 || piece >= count) break;
             const auto first = std::size_t(piece);
             const Vector2d way = spine_.points[first + 1] - spine_.points[first];
             const Vector2d from_first = place - spine_.points[first];
             const double t = std::clamp(way.dot(from_first) / way.squaredNorm(), 0., 1.);
-            const double radius = (1 - t) * radiusAt(first) + t * radiusAt(first + 1);
-            if ((from_first - t * way).norm() < covered_share * radius) return true;
+            const double radius = (1 - t) * radius_at(first) + t * radius_at(first + 1);
+            if ((from_first - t * way).norm() < kCoveredShare * radius) return true;
             length += way.norm();
         }
         return false;
@@ -124,42 +126,42 @@ private:
 };
 
 /// A half circle from the right to the left of a stroke's end; `way`: out of the stroke.
-void addCap(const Vector2d& end, const Vector2d& way, double width, Points& outline) {
+void add_cap(const Vector2d& end, const Vector2d& way, double width, Points& outline) {
     constexpr int points = 8;
-    if (width < least_round_width) return;
+    if (width < kLeastRoundWidth) return;
     for (int i = 1; i < points; ++i)
-        outline.push_back(end +
-                          Eigen::Rotation2Dd(-half_turn * i / points) * (width / 2 * rightOf(way)));
+        outline.push_back(end + Eigen::Rotation2Dd(-kHalfTurn * i / points) *
+                                    (width / 2 * right_of(way)));
 }
 
-Path taperedStroke(const Spine& spine, bool closed) {
+Path tapered_stroke(const Spine& spine, bool closed) {
     const StrokeEdges edges(spine, closed);
     Points right = edges.edge(1), left = edges.edge(-1);
     std::reverse(left.begin(), left.end());
     Path path;
     path.fill_rule = FillRule::NonZero;
     if (closed) {  // a ring: its edges run in opposite directions
-        fitCurve(right, true, tolerance, path);
-        fitCurve(left, true, tolerance, path);
+        fit_curve(right, true, kTolerance, path);
+        fit_curve(left, true, kTolerance, path);
     } else {
-        addCap(spine.points.back(), edges.lastWay(), spine.widths.back(), right);
+        add_cap(spine.points.back(), edges.last_way(), spine.widths.back(), right);
         right.insert(right.end(), left.begin(), left.end());
-        addCap(spine.points.front(), -edges.firstWay(), spine.widths.front(), right);
+        add_cap(spine.points.front(), -edges.first_way(), spine.widths.front(), right);
         right.push_back(right.front());
-        fitCurve(right, true, tolerance, path);
+        fit_curve(right, true, kTolerance, path);
     }
     return path;
 }
 
 /// As lines that do not end within the form are: any program draws these with a pen.
-bool isEven(const Spine& spine) {
+bool is_even(const Spine& spine) {
     const auto [least, most] = std::minmax_element(spine.widths.begin(), spine.widths.end());
-    return *most - *least < largest_unevenness * *most;
+    return *most - *least < kLargestUnevenness * *most;
 }
 
 }  // namespace
 
-std::optional<SheetPath> drawStroke(const DrawnLine& line, const SheetOptions& options) {
+std::optional<SheetPath> draw_stroke(const DrawnLine& line, const SheetOptions& options) {
     const double pen = options.pens[std::size_t(line.line_class)];
     const bool is_hidden = line.line_class == LineClass::Hidden;
     const bool is_tapered = options.strokes == StrokeStyle::Tapered && !is_hidden;
@@ -167,17 +169,17 @@ std::optional<SheetPath> drawStroke(const DrawnLine& line, const SheetOptions& o
     const double full = line.line_class == LineClass::Fine && is_tapered
                             ? options.pens[std::size_t(LineClass::Inner)]
                             : pen;
-    const Spine spine = spineOf(line, full);
+    const Spine spine = spine_of(line, full);
     if (spine.points.size() < 2) return {};
-    if (is_hidden && spine.length < shortest_dashed_line) return {};
+    if (is_hidden && spine.length < kShortestDashedLine) return {};
     const bool closed = line.closed && spine.points.size() > 3;
     SheetPath result;
-    if (is_tapered && !isEven(spine)) {
-        result.path = taperedStroke(spine, closed);
+    if (is_tapered && !is_even(spine)) {
+        result.path = tapered_stroke(spine, closed);
     } else {
-        result.pen_width = is_tapered ? std::max(spine.widths[0], thinnest_stroke) : pen;
-        if (is_hidden) result.dash = dash;
-        fitCurve(spine.points, closed, tolerance, result.path);
+        result.pen_width = is_tapered ? std::max(spine.widths[0], kThinnestStroke) : pen;
+        if (is_hidden) result.dash = kDash;
+        fit_curve(spine.points, closed, kTolerance, result.path);
     }
     return result;
 }

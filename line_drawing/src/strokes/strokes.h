@@ -11,20 +11,20 @@ namespace line_drawing {
 
 /// Removes specks, on the sheet: contours of curved surfaces before a jump in depth of less than a
 /// pen, lines and ends of lines shorter than the shortest one that end in nothing. Outlines stay.
-std::vector<DrawnLine> withoutSlightLines(std::vector<DrawnLine> lines,
-                                          const SheetOptions& options);
+std::vector<DrawnLine> without_slight_lines(std::vector<DrawnLine> lines,
+                                            const SheetOptions& options);
 
 /// Joins ends that have lost the line they met: by `left_out` short lines that lead on to another,
 /// else by a straight piece; an edge that has passed another ends there. Other ends stay, since
 /// lines may meet them. `reach`: of what doubles a line.
-void joinLooseEnds(std::vector<DrawnLine>& lines, const std::vector<DrawnLine>& left_out,
-                   double reach);
+void join_loose_ends(std::vector<DrawnLine>& lines, const std::vector<DrawnLine>& left_out,
+                     double reach);
 
 /// Removes parts of lines that only double others, in the sheet's coordinates: of lower classes
 /// along higher ones (sections first), in a class along longer ones; also jogs, and short lines
 /// that are beside others nearly all along, unless they join an end to another line. What is left
 /// meets the lines beside its ends.
-std::vector<DrawnLine> withoutDoubles(std::vector<DrawnLine> lines, double reach);
+std::vector<DrawnLine> without_doubles(std::vector<DrawnLine> lines, double reach);
 
 /// Joins inner lines that continue each other into one stroke, where they meet or across gaps of up
 /// to eight pens, half as long as either line, that no other line crosses, if all turns to one
@@ -38,22 +38,22 @@ std::vector<DrawnLine> chain(std::vector<DrawnLine> lines, const Pens& pens, boo
 /// where lines cross or meet. So do strokes shorter than six pens, those within four pens of each
 /// other, and loops below 24.
 /// `pens`: widths in mm, by LineClass.
-std::vector<DrawnLine> thinOut(std::vector<DrawnLine> lines, const Pens& pens);
+std::vector<DrawnLine> thin_out(std::vector<DrawnLine> lines, const Pens& pens);
 
 /// Cuts off bent ends of inner lines, where a zero of the Laplacian runs around the end of a
 /// feature; an illustrator would not draw that. Up to six pens long, or a third of the line if they
 /// are fainter than it. Ends that meet another line stay. `pen`: of inner lines, mm.
-void cutHooks(std::vector<DrawnLine>& lines, double pen);
+void cut_hooks(std::vector<DrawnLine>& lines, double pen);
 
 /// Leaves out inner lines and contours of curved surfaces that are shorter than `shortest`, mm, or
 /// rings of twice that, and meet no other line, but for inner lines with a like one beside them,
 /// which are a texture.
-std::vector<DrawnLine> withoutFragments(std::vector<DrawnLine> lines, double shortest, double pen);
+std::vector<DrawnLine> without_fragments(std::vector<DrawnLine> lines, double shortest, double pen);
 
 /// Makes inner lines and contours of curved surfaces at least as wide as fine lines, and has them
 /// end in a point where they meet no other line; inner lines swell over a third of their length.
 /// `pens`: widths in mm, by LineClass.
-void pointEnds(std::vector<DrawnLine>& lines, const Pens& pens);
+void point_ends(std::vector<DrawnLine>& lines, const Pens& pens);
 
 /// An end of an inner line that meets another line.
 struct MetEnd {
@@ -65,26 +65,26 @@ struct MetEnd {
 /// Extends ends of inner lines that are drawn in full and head for another line to that line, over
 /// at most three pens: arrises meet each other and outlines. Returns these ends, and those that met
 /// a line before.
-std::vector<MetEnd> joinEnds(std::vector<DrawnLine>& lines, double pen);
+std::vector<MetEnd> join_ends(std::vector<DrawnLine>& lines, double pen);
 
 /// Moves ends with the line they met, if that has moved by less than a pen.
-void followMet(const std::vector<MetEnd>& ends, double pen, std::vector<DrawnLine>& lines);
+void follow_met(const std::vector<MetEnd>& ends, double pen, std::vector<DrawnLine>& lines);
 
 /// Smooths the triangles' edges out of contours of curved surfaces: between exact points lines bend
 /// as little as they can within `reach`, on the sheet, and lines that end at them follow.
 /// Afterwards all points of contours are eased.
-void easeLines(std::vector<DrawnLine>& lines, double reach);
+void ease_lines(std::vector<DrawnLine>& lines, double reach);
 
 /// The same for inner lines as drawn; what continues them stays.
-void easeInnerLines(std::vector<DrawnLine>& lines, double reach);
+void ease_inner_lines(std::vector<DrawnLine>& lines, double reach);
 
-/// Appends cubic Bézier curves to `path`, after a moveTo(), that pass within `tolerance` of all
+/// Appends cubic Bézier curves to `path`, after a move_to(), that pass within `tolerance` of all
 /// points, with corners where the points turn sharply. A closed line repeats its first point. P. J.
 /// Schneider, "An Algorithm for Automatically Fitting Digitized Curves", Graphics Gems (1990).
-void fitCurve(const std::vector<Eigen::Vector2d>& points, bool closed, double tolerance,
-              Path& path);
+void fit_curve(const std::vector<Eigen::Vector2d>& points, bool closed, double tolerance,
+               Path& path);
 
 /// In the sheet's coordinates; none if the line is too short or too thin.
-std::optional<SheetPath> drawStroke(const DrawnLine& line, const SheetOptions& options);
+std::optional<SheetPath> draw_stroke(const DrawnLine& line, const SheetOptions& options);
 
 }  // namespace line_drawing

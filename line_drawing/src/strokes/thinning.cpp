@@ -13,96 +13,96 @@ namespace {
 using Eigen::Vector2d;
 
 // in pens of inner lines
-constexpr double between_lines = 3;  // from middle to middle: two pens of white, as in ISO 128
-constexpr double least_white = 0.5;  // beside outlines
+constexpr double kBetweenLines = 3;  // from middle to middle: two pens of white, as in ISO 128
+constexpr double kLeastWhite = 0.5;  // beside outlines
 // A part of a line has this much more white somewhere: what runs along an outline about as near as
 // that is left out whole, not where it happens to be nearer.
-constexpr double clear_white = 1;
-constexpr double shortest_stroke = 6;
-constexpr double least_extent = 4;    // √h: what is folded within it is a knot
-constexpr double least_ink = 6;       // mean weight times length
-constexpr double shortest_loop = 24;  // 6 √h
-constexpr double longest_crossing = 7.5, longest_near_pass = 5;  // at another line, or near one
-constexpr double longest_touch = 3, longest_near_end = 2;        // likewise, of an end
-constexpr double same_place = 0.2, meeting = 2;
+constexpr double kClearWhite = 1;
+constexpr double kShortestStroke = 6;
+constexpr double kLeastExtent = 4;    // √h: what is folded within it is a knot
+constexpr double kLeastInk = 6;       // mean weight times length
+constexpr double kShortestLoop = 24;  // 6 √h
+constexpr double kLongestCrossing = 7.5, kLongestNearPass = 5;  // at another line, or near one
+constexpr double kLongestTouch = 3, kLongestNearEnd = 2;        // likewise, of an end
+constexpr double kSamePlace = 0.2, kMeeting = 2;
 /// Remains of a fold are an island between others, unless this long or this share of it.
-constexpr double longest_island = 24, least_share = 0.5;
-constexpr double step = 0.2;
+constexpr double kLongestIsland = 24, kLeastShare = 0.5;
+constexpr double kStep = 0.2;
 
-double meanWeight(const DrawnLine& line) {
+double mean_weight(const DrawnLine& line) {
     double sum = 0;
     for (const DrawnPoint& point : line.points)
         sum += point.weight;
     return sum / double(line.points.size());
 }
 
-double extentOf(const DrawnLine& line) {
+double extent_of(const DrawnLine& line) {
     Eigen::AlignedBox2d box;
     for (const DrawnPoint& point : line.points)
         box.extend(point.position);
     return box.diagonal().norm();
 }
 
-double strengthOf(const DrawnLine& line) {
-    return meanWeight(line) * std::sqrt(lengthOf(line.points));
+double strength_of(const DrawnLine& line) {
+    return mean_weight(line) * std::sqrt(length_of(line.points));
 }
 
-void sortByStrength(std::vector<DrawnLine>& lines) {
+void sort_by_strength(std::vector<DrawnLine>& lines) {
     std::stable_sort(lines.begin(), lines.end(), [](const DrawnLine& a, const DrawnLine& b) {
-        return strengthOf(a) > strengthOf(b);
+        return strength_of(a) > strength_of(b);
     });
 }
 
 class Thinning {
 public:
     explicit Thinning(const Pens& pens)
-        : pens_(pens), pen_(pens[std::size_t(LineClass::Inner)]), kept_(between_lines * pen_) {
+        : pens_(pens), pen_(pens[std::size_t(LineClass::Inner)]), kept_(kBetweenLines * pen_) {
         for (const double pen : pens)
-            outlines_.emplace_back(whiteBeside(pen));
+            outlines_.emplace_back(white_beside(pen));
     }
 
-    void addOutline(const DrawnLine& line) {
-        outlines_[std::size_t(line.line_class)].add(positionsOf(line));
+    void add_outline(const DrawnLine& line) {
+        outlines_[std::size_t(line.line_class)].add(positions_of(line));
     }
 
     /// Unless less than half of a contour has white beside stronger lines, not counting its ends,
     /// which may meet these.
-    bool addContour(const DrawnLine& line) {
+    bool add_contour(const DrawnLine& line) {
         const double pen = pens_[std::size_t(LineClass::Contour)];
-        const double end = line.closed ? 0 : whiteBeside(pen), length = lengthOf(line.points);
+        const double end = line.closed ? 0 : white_beside(pen), length = length_of(line.points);
         const double more = (pen - pen_) / 2;
         double at = 0, middle = 0, apart = 0;
-        const std::vector<DrawnPoint> points = refine(line.points, step * pen_);
+        const std::vector<DrawnPoint> points = refine(line.points, kStep * pen_);
         for (std::size_t i = 1; i < points.size(); ++i) {
             const double piece = (points[i].position - points[i - 1].position).norm();
             at += piece;
             if (std::min(at, length - at) < end) continue;
             middle += piece;
-            if (!isBeside(LineClass::Outline, points[i].position, more) &&
-                !isBeside(LineClass::Contour, points[i].position, more))
+            if (!is_beside(LineClass::Outline, points[i].position, more) &&
+                !is_beside(LineClass::Contour, points[i].position, more))
                 apart += piece;
         }
-        const bool stays = apart >= least_share * middle;
-        if (stays) addOutline(line);
+        const bool stays = apart >= kLeastShare * middle;
+        if (stays) add_outline(line);
         return stays;
     }
 
     /// Whether all of it was added.
-    bool addFree(const DrawnLine& line, std::vector<DrawnLine>& result) {
-        if (line.closed && lengthOf(line.points) < shortest_loop * pen_) return false;
-        const std::vector<DrawnPoint> points = refine(line.points, step * pen_);
-        std::vector<bool> is_free(points.size());
+    bool add_free(const DrawnLine& line, std::vector<DrawnLine>& result) {
+        if (line.closed && length_of(line.points) < kShortestLoop * pen_) return false;
+        const std::vector<DrawnPoint> points = refine(line.points, kStep * pen_);
+        std::vector<bool> are_free(points.size());
         for (std::size_t i = 0; i < points.size(); ++i)
-            is_free[i] = isFree(points[i].position);
-        bridge(points, is_free);
+            are_free[i] = is_free(points[i].position);
+        bridge(points, are_free);
         const double shortest =
-            shareOf(points, is_free) < least_share ? longest_island : shortest_stroke;
+            share_of(points, are_free) < kLeastShare ? kLongestIsland : kShortestStroke;
         for (std::size_t begin = 0; begin < points.size();) {
             std::size_t end = begin;
-            while (end < points.size() && is_free[end])
+            while (end < points.size() && are_free[end])
                 ++end;
             const auto is_clear = [&](const DrawnPoint& p) {
-                return isBesideNone(p.position, clear_white * pen_);
+                return is_beside_none(p.position, kClearWhite * pen_);
             };
             const bool is_apart = std::any_of(points.begin() + std::ptrdiff_t(begin),
                                               points.begin() + std::ptrdiff_t(end), is_clear);
@@ -119,44 +119,45 @@ public:
     }
 
 private:
-    double whiteBeside(double pen) const { return pen / 2 + (0.5 + least_white) * pen_; }
+    double white_beside(double pen) const { return pen / 2 + (0.5 + kLeastWhite) * pen_; }
 
-    bool isFree(const Vector2d& point) const {
-        return !kept_.isBeside(point, between_lines * pen_) && isBesideNone(point, 0);
+    bool is_free(const Vector2d& point) const {
+        return !kept_.is_beside(point, kBetweenLines * pen_) && is_beside_none(point, 0);
     }
 
     /// Of the outlines; `more`: mm beyond what inner lines keep to.
-    bool isBesideNone(const Vector2d& point, double more) const {
-        for (std::size_t c = 0; c < line_class_count; ++c)
-            if (isBeside(LineClass(c), point, more)) return false;
+    bool is_beside_none(const Vector2d& point, double more) const {
+        for (std::size_t c = 0; c < kLineClassCount; ++c)
+            if (is_beside(LineClass(c), point, more)) return false;
         return true;
     }
 
-    bool isBeside(LineClass c, const Vector2d& point, double more) const {
+    bool is_beside(LineClass c, const Vector2d& point, double more) const {
         const auto number = std::size_t(c);
-        return outlines_[number].isBeside(point, whiteBeside(pens_[number]) + more);
+        return outlines_[number].is_beside(point, white_beside(pens_[number]) + more);
     }
 
-    static double shareOf(const std::vector<DrawnPoint>& points, const std::vector<bool>& is_free) {
+    static double share_of(const std::vector<DrawnPoint>& points,
+                           const std::vector<bool>& are_free) {
         double length = 0, free = 0;
         for (std::size_t i = 1; i < points.size(); ++i) {
             const double piece = (points[i].position - points[i - 1].position).norm();
             length += piece;
-            if (is_free[i - 1] && is_free[i]) free += piece;
+            if (are_free[i - 1] && are_free[i]) free += piece;
         }
         return free / length;
     }
 
     bool touches(const Vector2d& point) const {
-        return kept_.isBeside(point, same_place * pen_) ||
+        return kept_.is_beside(point, kSamePlace * pen_) ||
                std::any_of(outlines_.begin(), outlines_.end(), [&](const DrawnLines& lines) {
-                   return lines.isBeside(point, same_place * pen_);
+                   return lines.is_beside(point, kSamePlace * pen_);
                });
     }
 
     /// Extends an end, away from the middle of its line, to the next line.
     template <class Points, class Free>
-    void freeUpToTouch(Points begin, Points end, Free is_free) const {
+    void free_up_to_touch(Points begin, Points end, Free is_free) const {
         for (; begin != end; ++begin) {
             *is_free++ = true;
             if (touches(begin->position)) return;
@@ -164,11 +165,11 @@ private:
     }
 
     /// Where lines only cross or meet, nothing is removed.
-    void bridge(const std::vector<DrawnPoint>& points, std::vector<bool>& is_free) const {
+    void bridge(const std::vector<DrawnPoint>& points, std::vector<bool>& are_free) const {
         for (std::size_t begin = 0; begin < points.size();) {
             std::size_t end = begin;
             double length = 0;
-            while (end < points.size() && !is_free[end]) {
+            while (end < points.size() && !are_free[end]) {
                 if (end > begin) length += (points[end].position - points[end - 1].position).norm();
                 ++end;
             }
@@ -178,25 +179,26 @@ private:
             const bool meets =
                 std::any_of(points.begin() + from, points.begin() + to,
                             [&](const DrawnPoint& point) { return touches(point.position); });
-            if (is_first != is_last && length < (meets ? longest_touch : longest_near_end) * pen_) {
+            if (is_first != is_last && length < (meets ? kLongestTouch : kLongestNearEnd) * pen_) {
                 if (is_last)
-                    freeUpToTouch(points.begin() + from, points.end(), is_free.begin() + from);
+                    free_up_to_touch(points.begin() + from, points.end(), are_free.begin() + from);
                 else
-                    freeUpToTouch(points.rbegin() + rest, points.rend(), is_free.rbegin() + rest);
+                    free_up_to_touch(points.rbegin() + rest, points.rend(),
+                                     are_free.rbegin() + rest);
             } else if (!is_first && !is_last &&
-                       length < (meets ? longest_crossing : longest_near_pass) * pen_) {
-                std::fill(is_free.begin() + from, is_free.begin() + to, true);
+                       length < (meets ? kLongestCrossing : kLongestNearPass) * pen_) {
+                std::fill(are_free.begin() + from, are_free.begin() + to, true);
             }
             begin = std::max(end, begin + 1);
         }
     }
 
     bool keep(const DrawnLine& line, double shortest, std::vector<DrawnLine>& result) {
-        const double length = lengthOf(line.points) / pen_;
-        if (length < shortest || meanWeight(line) * length < least_ink ||
-            extentOf(line) < least_extent * pen_ || isBetweenFolds(line, kept_, pen_))
+        const double length = length_of(line.points) / pen_;
+        if (length < shortest || mean_weight(line) * length < kLeastInk ||
+            extent_of(line) < kLeastExtent * pen_ || is_between_folds(line, kept_, pen_))
             return false;
-        kept_.add(positionsOf(line));
+        kept_.add(positions_of(line));
         result.push_back(line);
         return true;
     }
@@ -209,56 +211,57 @@ private:
 
 /// Whether a like stroke lies beside a line, no farther away than it is long: both are of a
 /// texture.
-bool isRepeated(const std::vector<DrawnPoint>& line, const DrawnLines& all,
-                const std::vector<double>& lengths, std::size_t number) {
+bool is_repeated(const std::vector<DrawnPoint>& line, const DrawnLines& all,
+                 const std::vector<double>& lengths, std::size_t number) {
     const double length = lengths[number];
     const auto is_other_kind = [&](std::size_t i) {
         return i == number || lengths[i] < length / 2 || lengths[i] > 2 * length;
     };
     const Vector2d way = (line.back().position - line.front().position).stableNormalized();
     const Vector2d side(-way.y(), way.x()), middle = line[line.size() / 2].position;
-    return all.nextOn(middle, side, {0, length}, is_other_kind) ||
-           all.nextOn(middle, -side, {0, length}, is_other_kind);
+    return all.next_on(middle, side, {0, length}, is_other_kind) ||
+           all.next_on(middle, -side, {0, length}, is_other_kind);
 }
 
 }  // namespace
 
-std::vector<DrawnLine> withoutFragments(std::vector<DrawnLine> lines, double shortest, double pen) {
-    const DrawnLines all = allOf(lines, shortest);
+std::vector<DrawnLine> without_fragments(std::vector<DrawnLine> lines, double shortest,
+                                         double pen) {
+    const DrawnLines all = all_of(lines, shortest);
     std::vector<double> lengths;
     for (const DrawnLine& line : lines)  // a ring goes there and back
-        lengths.push_back(lengthOf(line.points) / (line.closed ? 2 : 1));
+        lengths.push_back(length_of(line.points) / (line.closed ? 2 : 1));
     std::vector<DrawnLine> rest;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::vector<DrawnPoint>& points = lines[i].points;
         const auto meets = [&](const DrawnPoint& end) {
-            return all.isNear(end.position, i, meeting * pen);
+            return all.is_near(end.position, i, kMeeting * pen);
         };
-        if (!isOnCurved(lines[i]) || lengths[i] >= shortest || meets(points.front()) ||
-            meets(points.back()) || (isInner(lines[i]) && isRepeated(points, all, lengths, i)))
+        if (!is_on_curved(lines[i]) || lengths[i] >= shortest || meets(points.front()) ||
+            meets(points.back()) || (is_inner(lines[i]) && is_repeated(points, all, lengths, i)))
             rest.push_back(lines[i]);
     }
     return rest;
 }
 
-std::vector<DrawnLine> thinOut(std::vector<DrawnLine> lines, const Pens& pens) {
+std::vector<DrawnLine> thin_out(std::vector<DrawnLine> lines, const Pens& pens) {
     Thinning thinning(pens);
     std::vector<DrawnLine> result, contours, inner;
     for (DrawnLine& line : lines) {
-        const bool is_curved = isCurvedContour(line);
-        if (line.line_class != LineClass::Hidden && !isInner(line) && !is_curved)
-            thinning.addOutline(line);
-        (isInner(line) ? inner : is_curved ? contours : result).push_back(std::move(line));
+        const bool is_curved = is_curved_contour(line);
+        if (line.line_class != LineClass::Hidden && !is_inner(line) && !is_curved)
+            thinning.add_outline(line);
+        (is_inner(line) ? inner : is_curved ? contours : result).push_back(std::move(line));
     }
-    sortByStrength(contours);
+    sort_by_strength(contours);
     for (DrawnLine& line : contours)
-        if (thinning.addContour(line)) result.push_back(std::move(line));
-    sortByStrength(inner);
+        if (thinning.add_contour(line)) result.push_back(std::move(line));
+    sort_by_strength(inner);
     std::vector<double> strengths;
     for (const DrawnLine& line : inner)
-        strengths.push_back(strengthOf(line));
-    forEachByFamilies(inner, strengths, between_lines * pens[std::size_t(LineClass::Inner)],
-                      [&](std::size_t i) { return thinning.addFree(inner[i], result); });
+        strengths.push_back(strength_of(line));
+    for_each_by_families(inner, strengths, kBetweenLines * pens[std::size_t(LineClass::Inner)],
+                         [&](std::size_t i) { return thinning.add_free(inner[i], result); });
     return result;
 }
 

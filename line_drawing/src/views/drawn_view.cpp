@@ -14,26 +14,26 @@ using laplacian_lines::SightPoint;
 using laplacian_lines::TriangleMesh;
 
 /// Half width of a perspective view at distance 1: 60 degrees.
-constexpr double tangent_of_sight = 1.7320508075688772;
-constexpr double faintest_inner_line = 0.5;  // mean share of the full width
+constexpr double kTangentOfSight = 1.7320508075688772;
+constexpr double kFaintestInnerLine = 0.5;  // mean share of the full width
 
-double widthOf(const SightPoint& point) {
+double width_of(const SightPoint& point) {
     return double(point.weight) * double(point.opacity);
 }
 
-double meanWidth(const SightLine& line) {
+double mean_width(const SightLine& line) {
     double sum = 0;
     for (const SightPoint& point : line.points)
-        sum += widthOf(point);
+        sum += width_of(point);
     return sum / double(line.points.size());
 }
 
-LineClass classOf(const SightLine& line) {
+LineClass class_of(const SightLine& line) {
     if (line.is_hidden) return LineClass::Hidden;
     if (line.is_outline) return LineClass::Outline;
     if (laplacian_lines::describe(line.kind).is_outline) return LineClass::Contour;
     if (line.kind == LineKind::Crease) return LineClass::Edge;
-    const bool is_faint = line.kind == LineKind::Laplacian && meanWidth(line) < faintest_inner_line;
+    const bool is_faint = line.kind == LineKind::Laplacian && mean_width(line) < kFaintestInnerLine;
     return is_faint ? LineClass::Fine : LineClass::Inner;
 }
 
@@ -61,8 +61,8 @@ Vector3d Projection::place(const Vector2d& picture, double depth) const {
     return origin_ + flat.x() * frame_.right + flat.y() * frame_.up - depth * frame_.towards_viewer;
 }
 
-Eigen::AlignedBox2d Projection::boundsOf(const TriangleMesh& mesh) const {
-    const Vector2d reach = Vector2d::Constant(tangent_of_sight * distance_);
+Eigen::AlignedBox2d Projection::bounds_of(const TriangleMesh& mesh) const {
+    const Vector2d reach = Vector2d::Constant(kTangentOfSight * distance_);
     Eigen::AlignedBox2d box;
     bool is_ahead = false;
     const auto extend = [&](const Vector3d& p) {
@@ -86,11 +86,11 @@ Eigen::AlignedBox2d Projection::boundsOf(const TriangleMesh& mesh) const {
     return is_ahead ? box : Eigen::AlignedBox2d();
 }
 
-std::vector<SightLine> Projection::inSight(std::vector<SightLine> lines) const {
+std::vector<SightLine> Projection::in_sight(std::vector<SightLine> lines) const {
     if (!frame_.eye) return lines;
     for (const Vector3d& aside :
          {frame_.right, frame_.up, Vector3d(-frame_.right), Vector3d(-frame_.up)}) {
-        const Vector3d normal = -tangent_of_sight * frame_.towards_viewer - aside;
+        const Vector3d normal = -kTangentOfSight * frame_.towards_viewer - aside;
         lines = clip(lines, {normal, normal.dot(origin_)});
     }
     return lines;
@@ -101,21 +101,21 @@ laplacian_lines::View Projection::view() const {
                       : laplacian_lines::View::orthographic(frame_.towards_viewer);
 }
 
-std::vector<Vector2d> positionsOf(const DrawnLine& line) {
+std::vector<Vector2d> positions_of(const DrawnLine& line) {
     std::vector<Vector2d> positions;
     for (const DrawnPoint& point : line.points)
         positions.push_back(point.position);
     return positions;
 }
 
-double lengthOf(const std::vector<DrawnPoint>& points, std::size_t begin) {
+double length_of(const std::vector<DrawnPoint>& points, std::size_t begin) {
     double length = 0;
     for (std::size_t i = begin + 1; i < points.size(); ++i)
         length += (points[i].position - points[i - 1].position).norm();
     return length;
 }
 
-Vector2d outwardsAt(const std::vector<DrawnPoint>& points, bool is_last, double reach) {
+Vector2d outwards_at(const std::vector<DrawnPoint>& points, bool is_last, double reach) {
     const auto at = [&](std::size_t k) -> const Vector2d& {
         return points[is_last ? points.size() - 1 - k : k].position;
     };
@@ -125,7 +125,7 @@ Vector2d outwardsAt(const std::vector<DrawnPoint>& points, bool is_last, double 
     return (at(0) - at(k)).stableNormalized();
 }
 
-void shiftEnd(std::vector<DrawnPoint>& points, bool is_last, const Vector2d& shift, double reach) {
+void shift_end(std::vector<DrawnPoint>& points, bool is_last, const Vector2d& shift, double reach) {
     double length = 0;
     for (std::size_t k = 0; k < points.size() && length < reach; ++k) {
         const std::size_t i = is_last ? points.size() - 1 - k : k;
@@ -136,22 +136,22 @@ void shiftEnd(std::vector<DrawnPoint>& points, bool is_last, const Vector2d& shi
     }
 }
 
-bool isFixed(const DrawnLine& line) {
+bool is_fixed(const DrawnLine& line) {
     return std::all_of(line.points.begin(), line.points.end(),
                        [](const DrawnPoint& point) { return point.stays(); });
 }
 
-bool isSmooth(const DrawnLine& line) {
+bool is_smooth(const DrawnLine& line) {
     return std::any_of(line.points.begin(), line.points.end(),
                        [](const DrawnPoint& point) { return !point.is_exact; });
 }
 
-bool isInner(const DrawnLine& line) {
+bool is_inner(const DrawnLine& line) {
     return (line.line_class == LineClass::Inner || line.line_class == LineClass::Fine) &&
-           isSmooth(line);
+           is_smooth(line);
 }
 
-Eigen::AlignedBox3d boundsOf(const TriangleMesh& mesh) {
+Eigen::AlignedBox3d bounds_of(const TriangleMesh& mesh) {
     Eigen::AlignedBox3d box;
     for (const laplacian_lines::Triangle& triangle : mesh.triangles)
         for (const std::uint32_t v : triangle)
@@ -172,11 +172,11 @@ std::vector<DrawnLine> project(const std::vector<SightLine>& lines, const Projec
                                double unit) {
     std::vector<DrawnLine> drawn;
     for (const SightLine& line : lines) {
-        drawn.push_back({classOf(line), line.closed, {}, unit * double(line.jump), line.kind});
+        drawn.push_back({class_of(line), line.closed, {}, unit * double(line.jump), line.kind});
         drawn.back().points.reserve(line.points.size());
         for (const SightPoint& point : line.points)
             drawn.back().points.push_back({unit * projection(point.position),
-                                           widthOf(point),
+                                           width_of(point),
                                            point.node,
                                            point.is_exact,
                                            false,

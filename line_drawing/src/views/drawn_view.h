@@ -28,10 +28,10 @@ public:
 
     /// Of the triangles in the picture; in perspective at least of what is in sight, empty if all
     /// is behind the eye.
-    Eigen::AlignedBox2d boundsOf(const laplacian_lines::TriangleMesh& mesh) const;
+    Eigen::AlignedBox2d bounds_of(const laplacian_lines::TriangleMesh& mesh) const;
 
     /// Clipped to what is in sight; all in a parallel view.
-    std::vector<laplacian_lines::SightLine> inSight(
+    std::vector<laplacian_lines::SightLine> in_sight(
         std::vector<laplacian_lines::SightLine> lines) const;
 
     laplacian_lines::View view() const;
@@ -71,25 +71,25 @@ struct DrawnLine {
     laplacian_lines::LineKind kind = laplacian_lines::LineKind::Laplacian;  ///< but of sections
 };
 
-std::vector<Eigen::Vector2d> positionsOf(const DrawnLine& line);
+std::vector<Eigen::Vector2d> positions_of(const DrawnLine& line);
 /// From the point `begin` to the end.
-double lengthOf(const std::vector<DrawnPoint>& points, std::size_t begin = 0);
+double length_of(const std::vector<DrawnPoint>& points, std::size_t begin = 0);
 
 /// Direction out of a line's end, from the first point `reach` away from it.
-Eigen::Vector2d outwardsAt(const std::vector<DrawnPoint>& points, bool is_last, double reach);
+Eigen::Vector2d outwards_at(const std::vector<DrawnPoint>& points, bool is_last, double reach);
 
 /// Moves an end by `shift`, and the points within `reach` along the line by less and less.
-void shiftEnd(std::vector<DrawnPoint>& points, bool is_last, const Eigen::Vector2d& shift,
-              double reach);
+void shift_end(std::vector<DrawnPoint>& points, bool is_last, const Eigen::Vector2d& shift,
+               double reach);
 
 /// Whether all of its points stay().
-bool isFixed(const DrawnLine& line);
+bool is_fixed(const DrawnLine& line);
 
 /// Whether any of it stands for a smooth line, and may be smoothed.
-bool isSmooth(const DrawnLine& line);
+bool is_smooth(const DrawnLine& line);
 
 /// Whether a drawing may leave it out or join it to another: no edge of the form nor an axis.
-bool isInner(const DrawnLine& line);
+bool is_inner(const DrawnLine& line);
 
 /// Loops around what a section cuts of one object (even-odd), if anything.
 using Wall = std::vector<std::vector<Eigen::Vector2d>>;
@@ -119,11 +119,11 @@ struct Placement {
     double scale;            ///< millimetres of the sheet in one of the object
     Eigen::Vector2d middle;  ///< of the view, in the sheet's coordinates
 
-    Eigen::Vector2d onSheet(const Eigen::Vector2d& p) const {
+    Eigen::Vector2d on_sheet(const Eigen::Vector2d& p) const {
         return {middle.x() + scale * p.x(), middle.y() - scale * p.y()};
     }
-    Eigen::AlignedBox2d onSheet(const Eigen::AlignedBox2d& box) const {
-        return Eigen::AlignedBox2d(onSheet(box.min())).extend(onSheet(box.max()));
+    Eigen::AlignedBox2d on_sheet(const Eigen::AlignedBox2d& box) const {
+        return Eigen::AlignedBox2d(on_sheet(box.min())).extend(on_sheet(box.max()));
     }
 };
 

@@ -13,15 +13,15 @@ struct LineLook {
     double width = 0;         ///< pixels, of a line of full weight
     double share_within = 1;  ///< of the width, where there is a surface on both sides
 };
-/// In the order of laplacian_lines::line_kinds.
-using LineLooks = std::array<LineLook, laplacian_lines::line_kind_count>;
+/// In the order of laplacian_lines::kLineKinds.
+using LineLooks = std::array<LineLook, laplacian_lines::kLineKindCount>;
 
 /// Default width of a Laplacian line of full weight, pixels.
-constexpr double usual_line_width = 1.6;
+constexpr double kUsualLineWidth = 1.6;
 
 /// What is drawn of hidden parts of lines.
 enum class HiddenLines { LeftOut, Faint, Dashed };
-constexpr double faint_alpha = 0.25;
+constexpr double kFaintAlpha = 0.25;
 
 struct LineAppearance {
     LineLooks looks;

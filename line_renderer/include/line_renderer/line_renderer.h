@@ -53,11 +53,11 @@ private:
     struct Objects;
     struct Pass;
 
-    static Objects makeObjects();
-    void drawHidden(const Objects& objects, const LineAppearance& appearance,
-                    const LinePlacement& placement, RedrawClock& clock) const;
-    void drawPass(const Objects& objects, const LinePlacement& placement, const Pass& pass,
-                  RedrawClock& clock) const;
+    static Objects make_objects();
+    void draw_hidden(const Objects& objects, const LineAppearance& appearance,
+                     const LinePlacement& placement, RedrawClock& clock) const;
+    void draw_pass(const Objects& objects, const LinePlacement& placement, const Pass& pass,
+                   RedrawClock& clock) const;
 
     std::unique_ptr<PerShareGroup<Objects>> objects_;
     std::vector<StreamPart> parts_;                     ///< of what was uploaded last

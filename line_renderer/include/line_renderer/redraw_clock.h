@@ -15,7 +15,7 @@ public:
         DrawCalls,  ///< telling OpenGL what to draw, and all that is not one of the others
         /// By OpenGL: its first call, where a software renderer does half the work, and the wait.
         Drawing,
-        part_count
+        kPartCount
     };
 
     /// Books the time since the last call, or since construction.
@@ -27,14 +27,14 @@ public:
 
     double milliseconds(Part part) const { return spent_[part]; }
     /// The plugin's own share: all but waiting for OpenGL.
-    double ownMilliseconds() const {
+    double own_milliseconds() const {
         return spent_[Extraction] + spent_[Upload] + spent_[DrawCalls];
     }
 
 private:
     using Clock = std::chrono::steady_clock;
     Clock::time_point last_ = Clock::now();
-    std::array<double, part_count> spent_{};  // milliseconds
+    std::array<double, kPartCount> spent_{};  // milliseconds
 };
 
 }  // namespace line_renderer

@@ -24,10 +24,10 @@ struct Surface {
 };
 using SurfacePointer = std::shared_ptr<const Surface>;
 
-SurfacePointer makeSurface(const laplacian_lines::TriangleMesh& mesh,
-                           const laplacian_lines::Field& field);
+SurfacePointer make_surface(const laplacian_lines::TriangleMesh& mesh,
+                            const laplacian_lines::Field& field);
 
-std::size_t bytesOf(const Surface& surface);
+std::size_t bytes_of(const Surface& surface);
 
 struct SurfaceLayer {
     std::weak_ptr<const Surface> surface;

@@ -26,9 +26,9 @@ public:
     ~SurfaceDepth();
 
     /// Call it when a redraw begins.
-    void forgetDepthBuffer();
+    void forget_depth_buffer();
     /// Whether the depth buffer is readable.
-    static bool canCopy();
+    static bool can_copy();
     /// The current viewport's depths, copied once a redraw.
     DepthTexture copy();
 

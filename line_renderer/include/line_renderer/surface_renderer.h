@@ -32,7 +32,7 @@ public:
     /// Whitens the pixels of the current viewport that have the depth of an empty view. Call it
     /// before any lines, which reach beyond outlines. Keeps depths and alpha, so that snapshots
     /// without background stay so. @throws std::runtime_error if OpenGL cannot do it
-    void paintBackground();
+    void paint_background();
 
 private:
     std::unique_ptr<PerShareGroup<ShaderProgram>> surface_programs_, background_programs_;

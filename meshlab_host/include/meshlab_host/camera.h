@@ -16,16 +16,16 @@ struct CameraMatrices {
 };
 
 /// From the GL context that is current on this thread.
-CameraMatrices cameraFromGl();
+CameraMatrices camera_from_gl();
 
-bool isOrthographic(const Eigen::Matrix4d& projection);
+bool is_orthographic(const Eigen::Matrix4d& projection);
 
 /// How far the frustum's middle is left of and below the axis of sight, in half widths and heights.
 /// Tile c of n has n - 1 - 2c, an integer.
-Eigen::Vector2d frustumOffset(const Eigen::Matrix4d& projection);
+Eigen::Vector2d frustum_offset(const Eigen::Matrix4d& projection);
 
 /// Mesh to world coordinates.
-Eigen::Matrix4d layerTransform(const CMeshO& mesh);
+Eigen::Matrix4d layer_transform(const CMeshO& mesh);
 
 /// x' = factor · rotation · x; without the translation.
 struct Similarity {
@@ -34,34 +34,34 @@ struct Similarity {
 };
 
 /// None if the transformation stretches, shears or reflects.
-std::optional<Similarity> similarityOf(const Eigen::Matrix4d& transform);
+std::optional<Similarity> similarity_of(const Eigen::Matrix4d& transform);
 
 /// By how much lengths grow, averaged over directions.
-double meanScale(const Eigen::Matrix4d& transform);
+double mean_scale(const Eigen::Matrix4d& transform);
 
 /// For an eye in homogeneous coordinates of the world, (position, 1), or (direction towards the
 /// viewer, 0), in the coordinates of a mesh that `to_world` may scale or reflect. Empty if it is
 /// singular.
-std::optional<laplacian_lines::View> viewFrom(const Eigen::Vector4d& eye,
-                                              const Eigen::Matrix4d& to_world);
+std::optional<laplacian_lines::View> view_from(const Eigen::Vector4d& eye,
+                                               const Eigen::Matrix4d& to_world);
 
 /// The same for the eye of a camera. Off-centre frustums (snapshot tiles) are fine.
-std::optional<laplacian_lines::View> viewFromMatrices(const Eigen::Matrix4d& modelview,
-                                                      const Eigen::Matrix4d& projection,
-                                                      const Eigen::Matrix4d& layer);
+std::optional<laplacian_lines::View> view_from_matrices(const Eigen::Matrix4d& modelview,
+                                                        const Eigen::Matrix4d& projection,
+                                                        const Eigen::Matrix4d& layer);
 
 /// Towards a light that turns with the camera, 45 degrees above the plane of the picture, where
 /// `azimuth` is in degrees clockwise from the top. Unit vector in eye coordinates: x right, y up, z
 /// to the viewer.
-Eigen::Vector3d towardsLight(double azimuth);
+Eigen::Vector3d towards_light(double azimuth);
 
 /// From eye to mesh coordinates, not normalized. Transforms like a point at infinity, such as an
 /// orthographic eye, not like a normal: so n·d = 0, n in mesh coordinates, is where the light
 /// grazes the visible surface under any transformation. Empty if the product of the matrices is
 /// singular.
-std::optional<Eigen::Vector3d> directionInMesh(const Eigen::Vector3d& direction,
-                                               const Eigen::Matrix4d& modelview,
-                                               const Eigen::Matrix4d& layer);
+std::optional<Eigen::Vector3d> direction_in_mesh(const Eigen::Vector3d& direction,
+                                                 const Eigen::Matrix4d& modelview,
+                                                 const Eigen::Matrix4d& layer);
 
 /// How much larger than the view a picture is that MeshLab composes of tiles. A tile fills the view
 /// with part of the camera's frustum, so lengths in pixels have to grow with the picture.

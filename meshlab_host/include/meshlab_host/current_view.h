@@ -17,6 +17,6 @@ struct CurrentView {
 /// The view with the marked border, to which menus apply; empty in programs without GL views.
 /// MeshLab hands filters no view, but GL views answer Qt signals that ask for their camera. GUI
 /// thread only.
-std::optional<CurrentView> currentView();
+std::optional<CurrentView> current_view();
 
 }  // namespace meshlab_host

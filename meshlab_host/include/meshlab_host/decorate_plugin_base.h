@@ -24,7 +24,7 @@ public:
     explicit DecoratePluginBase(DecorationDescription description);
 
 protected:
-    virtual void listParameters(RichParameterList& list) const = 0;
+    virtual void list_parameters(RichParameterList& list) const = 0;
 
     /// False: nothing can be drawn.
     virtual bool start(MeshModel& mesh, const RichParameterList& parameters, GLArea* view) = 0;
@@ -32,9 +32,9 @@ protected:
                       QPainter* painter, GLLogStream& log) = 0;
     virtual void end(MeshModel& mesh, GLArea* view) = 0;
     /// The view is being closed, with all its meshes.
-    virtual void endAll(GLArea* view) = 0;
+    virtual void end_all(GLArea* view) = 0;
     /// A mesh decorated in `view` is gone; MeshLab does not say which.
-    virtual void meshGone(GLArea* view) = 0;
+    virtual void mesh_gone(GLArea* view) = 0;
 
     /// To the log of the document being served.
     void say(const QString& line);
@@ -59,14 +59,14 @@ public:
     void endDecorate(ActionPointer, MeshDocument&, const RichParameterList*, GLArea*) final;
 #if MESHLAB_API < 2022
     void initGlobalParameterSet(QAction*, RichParameterList& list) final {
-        listParameters(list);
+        list_parameters(list);
     }
 #else
     QString vendor() const final {
         return "Laplacian Lines";
     }
     void initGlobalParameterList(const QAction*, RichParameterList& list) final {
-        listParameters(list);
+        list_parameters(list);
     }
 #endif
 

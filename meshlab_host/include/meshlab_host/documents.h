@@ -11,31 +11,32 @@ namespace meshlab_host {
 
 /// MeshLab's GUI state for the document of `mesh`: the document and its layers' render settings.
 /// Null without a GUI. Decorations are not handed it.
-MLSceneGLSharedDataContext* sceneOf(const MeshModel& mesh);
+MLSceneGLSharedDataContext* scene_of(const MeshModel& mesh);
 
 /// For a document that exists.
-MLSceneGLSharedDataContext* sceneOf(const MeshDocument& document);
+MLSceneGLSharedDataContext* scene_of(const MeshDocument& document);
 
 /// The document of `mesh`. Null if there is none, as without a GUI. GUI thread only.
-MeshDocument* documentOf(const MeshModel& mesh);
+MeshDocument* document_of(const MeshModel& mesh);
 
-std::vector<const MeshModel*> layersOf(const MeshDocument& document);
+std::vector<const MeshModel*> layers_of(const MeshDocument& document);
 
 /// All layers of the document, or those that MeshLab shows, ascending.
-std::vector<int> layerIds(const MeshDocument& document, bool only_shown = false);
+std::vector<int> layer_ids(const MeshDocument& document, bool only_shown = false);
 
 /// Calls `changed` with the ids of the document's meshes, ascending, when meshes come or go, and
 /// with none when it closes, as long as `receiver` lives. GUI thread only.
-void whenMeshesChange(const MeshDocument* document, QObject* receiver,
-                      const std::function<void(const std::vector<int>&)>& changed);
+void when_meshes_change(const MeshDocument* document, QObject* receiver,
+                        const std::function<void(const std::vector<int>&)>& changed);
 
 /// Shows text in the corner of the view until the next redraw. `mesh` is shown only if two boxes
 /// have the same title. GUI thread only, while drawing.
-void writeOnView(GLLogStream& log, const QString& title, const QString& mesh, const QString& text);
+void write_on_view(GLLogStream& log, const QString& title, const QString& mesh,
+                   const QString& text);
 
 /// Puts these parameters into MeshLab's record of a filter that its dialog has run, once MeshLab
 /// has made it: scripts that are saved have them. The last thing that the filter does, since
 /// progress runs MeshLab's events.
-void recordAs(const QString& filter, const RichParameterList& parameters, MeshDocument& document);
+void record_as(const QString& filter, const RichParameterList& parameters, MeshDocument& document);
 
 }  // namespace meshlab_host

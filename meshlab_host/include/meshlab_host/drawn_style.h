@@ -10,25 +10,25 @@
 
 namespace meshlab_host {
 
-/// In the order of laplacian_lines::line_kinds.
-using KindColors = std::array<QRgb, laplacian_lines::line_kind_count>;
+/// In the order of laplacian_lines::kLineKinds.
+using KindColors = std::array<QRgb, laplacian_lines::kLineKindCount>;
 
-KindColors usualKindColors();
+KindColors usual_kind_colors();
 
 /// What the decoration draws, for filters that follow it.
 struct DrawnStyle {
     laplacian_lines::LineStyle style;
-    std::optional<double> light_azimuth;  ///< see towardsLight(); without one it is at the eye
+    std::optional<double> light_azimuth;  ///< see towards_light(); without one it is at the eye
     bool shows_hidden = false;            ///< also lines that the surface hides
-    KindColors colors = usualKindColors();
+    KindColors colors = usual_kind_colors();
 };
 
 /// Stored as a property of the application, by parameter keys: nothing else is common to two
 /// plugins in every version of MeshLab. GUI thread only.
-void noteDrawnStyle(const DrawnStyle& drawn);
+void note_drawn_style(const DrawnStyle& drawn);
 
 /// @throws laplacian_lines::Error(InvalidOption) if nothing was noted, as without a window. GUI
 /// thread only.
-DrawnStyle demandDrawnStyle();
+DrawnStyle demand_drawn_style();
 
 }  // namespace meshlab_host

@@ -15,13 +15,13 @@ namespace meshlab_host {
 ///     ll_strength, ll_slope            of the line, see Polyline
 ///     ll_weight, ll_gradient, ll_opacity   of the point, see LinePoint
 /// and as quality weight times opacity, the point's ink.
-void toEdgeMesh(const laplacian_lines::LineSet& lines, CMeshO& mesh);
+void to_edge_mesh(const laplacian_lines::LineSet& lines, CMeshO& mesh);
 
 /// By the kinds of the lines.
-void setColors(const laplacian_lines::LineSet& lines, const KindColors& colors, CMeshO& mesh);
+void set_colors(const laplacian_lines::LineSet& lines, const KindColors& colors, CMeshO& mesh);
 
 /// The surface's normals at its nearest vertices. MeshLab lights points by them; without normals
 /// their color depends on the OpenGL driver.
-void setNormals(const laplacian_lines::TriangleMesh& surface, CMeshO& mesh);
+void set_normals(const laplacian_lines::TriangleMesh& surface, CMeshO& mesh);
 
 }  // namespace meshlab_host

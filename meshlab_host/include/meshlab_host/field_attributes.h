@@ -11,7 +11,7 @@
 namespace meshlab_host {
 
 /// A field is kept in per-vertex attributes that other filters can read and export: those of its
-/// columns in laplacian_lines/field_columns.h, vectors as Point3m, numbers as Scalarm. The per-mesh
+/// columns in laplacian_lines/kFieldColumns.h, vectors as Point3m, numbers as Scalarm. The per-mesh
 /// attribute ll_record describes them; without it, the field does not count.
 struct FieldRecord {
     static constexpr std::uint32_t current_layout = 7;
@@ -38,22 +38,22 @@ enum class FieldStatus {
 const char* describe(FieldStatus status);
 
 /// Separated by commas.
-QString fieldAttributeNames(const laplacian_lines::Field& field);
+QString field_attribute_names(const laplacian_lines::Field& field);
 
-/// `now` is geometryStamp(mesh).
-FieldStatus fieldStatus(const CMeshO& mesh, const GeometryStamp& now);
+/// `now` is geometry_stamp(mesh).
+FieldStatus field_status(const CMeshO& mesh, const GeometryStamp& now);
 
 /// If there is one that this build understands.
-std::optional<FieldRecord> readFieldRecord(const CMeshO& mesh);
+std::optional<FieldRecord> read_field_record(const CMeshO& mesh);
 
-/// By live index (see mesh_conversion.h); empty unless fieldStatus() is Current.
-std::optional<laplacian_lines::Field> readField(const CMeshO& mesh, const GeometryStamp& now);
+/// By live index (see mesh_conversion.h); empty unless field_status() is Current.
+std::optional<laplacian_lines::Field> read_field(const CMeshO& mesh, const GeometryStamp& now);
 
 /// Stores a field with an entry per live vertex; deleted vertices get zeros. Replaces attributes of
 /// another type and removes those of absent columns. The record comes last: out of memory, the mesh
 /// has no field rather than half of one. @throws laplacian_lines::Error(FieldMismatch),
 /// std::bad_alloc
-void writeField(CMeshO& mesh, const laplacian_lines::Field& field,
-                const laplacian_lines::PrecomputeOptions& options, const GeometryStamp& stamp);
+void write_field(CMeshO& mesh, const laplacian_lines::Field& field,
+                 const laplacian_lines::PrecomputeOptions& options, const GeometryStamp& stamp);
 
 }  // namespace meshlab_host

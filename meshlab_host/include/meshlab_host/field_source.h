@@ -26,24 +26,24 @@ struct FieldSource {
     FieldStatus status;
     laplacian_lines::PrecomputeOptions options;
 };
-FieldSource fieldSource(const CMeshO& mesh);
-FieldSource withDerivatives(FieldSource source);
+FieldSource field_source(const CMeshO& mesh);
+FieldSource with_derivatives(FieldSource source);
 
 /// The field by live index. Computing takes seconds for a million triangles, and `say` is told.
-/// Does not change the mesh; `triangles` is its toTriangleMesh(). @throws laplacian_lines::Error,
+/// Does not change the mesh; `triangles` is its to_triangle_mesh(). @throws laplacian_lines::Error,
 /// std::bad_alloc
-laplacian_lines::Field demandField(const CMeshO& mesh,
-                                   const laplacian_lines::TriangleMesh& triangles,
-                                   const QString& mesh_name, const FieldSource& source,
-                                   const std::function<void(const QString&)>& say,
-                                   const laplacian_lines::Progress& progress = {});
+laplacian_lines::Field demand_field(const CMeshO& mesh,
+                                    const laplacian_lines::TriangleMesh& triangles,
+                                    const QString& mesh_name, const FieldSource& source,
+                                    const std::function<void(const QString&)>& say,
+                                    const laplacian_lines::Progress& progress = {});
 
 /// Computes a field's derivatives if it has none. @throws laplacian_lines::Error, std::bad_alloc
-void demandDerivatives(const laplacian_lines::TriangleMesh& triangles,
-                       laplacian_lines::Field& field,
-                       const laplacian_lines::Progress& progress = {});
+void demand_derivatives(const laplacian_lines::TriangleMesh& triangles,
+                        laplacian_lines::Field& field,
+                        const laplacian_lines::Progress& progress = {});
 
 /// A line of the log per laplacian_lines::faults_of(), what to do about it in MeshLab's terms.
-QStringList meshAdvice(const laplacian_lines::MeshReport& report);
+QStringList mesh_advice(const laplacian_lines::MeshReport& report);
 
 }  // namespace meshlab_host

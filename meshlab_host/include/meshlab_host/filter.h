@@ -30,7 +30,7 @@ struct FilterDescription {
 /// MeshLab's points.
 using FilterResults = std::map<std::string, QVariant>;
 
-void addResult(const char* name, const Eigen::Vector3d& value, FilterResults& results);
+void add_result(const char* name, const Eigen::Vector3d& value, FilterResults& results);
 
 struct FilterRun {
     MeshDocument& document;  ///< with a current mesh
@@ -54,8 +54,8 @@ using FilterList = std::vector<Filter>;
 /// Passes the core's reports on to MeshLab's callback (percent and text; false cancels), which may
 /// be null, as the part from `begin` to `end` (0..1). It runs the GUI's event loop: the document
 /// may have changed when it returns.
-inline laplacian_lines::Progress progressTo(vcg::CallBackPos* callback, double begin = 0,
-                                            double end = 1) {
+inline laplacian_lines::Progress progress_to(vcg::CallBackPos* callback, double begin = 0,
+                                             double end = 1) {
     if (!callback) return {};
     return [=](double done, const char* stage) {
         return callback(int(100 * (begin + (end - begin) * done)), stage);
@@ -64,7 +64,7 @@ inline laplacian_lines::Progress progressTo(vcg::CallBackPos* callback, double b
 
 /// Tells the callback, which may be null, that a step begins at `done` (0..1).
 /// @throws laplacian_lines::Error(Cancelled)
-inline void beginStep(vcg::CallBackPos* callback, double done, const char* step) {
+inline void begin_step(vcg::CallBackPos* callback, double done, const char* step) {
     if (callback && !callback(int(100 * done), step))
         throw laplacian_lines::Error(laplacian_lines::ErrorCode::Cancelled,
                                      "Cancelled; the mesh was not changed.");
@@ -83,9 +83,9 @@ private:
     }
     void say(const QString& line);
     /// Runs a filter; returns an exception's sentence, or nothing.
-    QString runCatchingAll(const Filter& filter, MeshDocument& document,
-                           const RichParameterList& parameters, vcg::CallBackPos* progress,
-                           FilterResults& results);
+    QString run_catching_all(const Filter& filter, MeshDocument& document,
+                             const RichParameterList& parameters, vcg::CallBackPos* progress,
+                             FilterResults& results);
 
     // MeshLab's interface, final here.
 public:

@@ -22,9 +22,9 @@ struct GeometryStamp {
 };
 
 /// 2 to 3 ms for 0.9 million triangles.
-GeometryStamp geometryStamp(const CMeshO& mesh);
+GeometryStamp geometry_stamp(const CMeshO& mesh);
 
 /// The cheap part of a comparison, for every redraw.
-bool sameCounts(const GeometryStamp& stamp, const CMeshO& mesh);
+bool same_counts(const GeometryStamp& stamp, const CMeshO& mesh);
 
 }  // namespace meshlab_host

@@ -13,15 +13,15 @@ struct LayerDrawing {
 
 /// In the view being redrawn, whose context is current and as MeshLab calls decorations. If
 /// unknown, points of the usual size without faces, the safe assumption.
-LayerDrawing layerDrawing(const MeshModel& mesh);
+LayerDrawing layer_drawing(const MeshModel& mesh);
 
 /// Shows a layer of edges as thin lines in vertex colors; MeshLab would put dots on vertices and
 /// draw edges gray. Takes effect after the filter that made the layer, when MeshLab decides how to
 /// show it. Does nothing without GL views. GUI thread only.
-void showAsLines(const MeshDocument& document, int mesh_id);
+void show_as_lines(const MeshDocument& document, int mesh_id);
 
 /// For filters that only write files: after a filter MeshLab marks the current layer as modified,
 /// and asks whether to save it. Takes effect after the filter. GUI thread only.
-void keepUnmodified(const MeshDocument& document);
+void keep_unmodified(const MeshDocument& document);
 
 }  // namespace meshlab_host

@@ -9,17 +9,17 @@
 
 namespace meshlab_host {
 
-constexpr std::uint32_t no_index = 0xffffffffu;
+constexpr std::uint32_t kNoIndex = 0xffffffffu;
 
 /// MeshLab keeps deleted vertices until the mesh is compacted. A "slot" is a position in its array,
 /// a "live index" counts only vertices that are left.
-bool hasDeletedVertices(const CMeshO& mesh);
+bool has_deleted_vertices(const CMeshO& mesh);
 
-/// indices[slot] = live index, or no_index for deleted vertices.
-std::vector<std::uint32_t> liveVertexIndices(const CMeshO& mesh);
+/// indices[slot] = live index, or kNoIndex for deleted vertices.
+std::vector<std::uint32_t> live_vertex_indices(const CMeshO& mesh);
 
 /// Live vertices and faces in mesh coordinates (without the layer's transformation). Faces of
-/// deleted vertices get no_index, which the core refuses.
-laplacian_lines::TriangleMesh toTriangleMesh(const CMeshO& mesh);
+/// deleted vertices get kNoIndex, which the core refuses.
+laplacian_lines::TriangleMesh to_triangle_mesh(const CMeshO& mesh);
 
 }  // namespace meshlab_host

@@ -67,17 +67,17 @@ using RichHeading = ::RichDirection;
 #endif
 
 #if MESHLAB_API < 2025
-inline bool isPoint(const Value& value) {
+inline bool is_point(const Value& value) {
     return value.isPoint3f();
 }
-inline Point3m pointIn(const Value& value) {
+inline Point3m point_in(const Value& value) {
     return value.getPoint3f();
 }
 #else
-inline bool isPoint(const Value& value) {
+inline bool is_point(const Value& value) {
     return value.isPoint3();
 }
-inline Point3m pointIn(const Value& value) {
+inline Point3m point_in(const Value& value) {
     return value.getPoint3();
 }
 #endif

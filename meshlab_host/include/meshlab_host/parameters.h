@@ -11,25 +11,25 @@ namespace meshlab_host {
 // that 0.07 stays 0.07.
 
 /// Help, HTML without paragraphs, so that MeshLab wraps it in a tool tip.
-QString toolTip(const QString& help);
+QString tool_tip(const QString& help);
 
 /// `diagonal` of the mesh's bounding box, for percentages of lengths; 0 without a mesh.
-void addParameter(const laplacian_lines::OptionDescription& option,
-                  const laplacian_lines::OptionValue& value, RichParameterList& list,
-                  double diagonal = 0, const QString& prefix = QString());
+void add_parameter(const laplacian_lines::OptionDescription& option,
+                   const laplacian_lines::OptionValue& value, RichParameterList& list,
+                   double diagonal = 0, const QString& prefix = QString());
 
 /// `fallback` if the list lacks it. @throws laplacian_lines::Error(InvalidOption) that names label,
 /// value and what is allowed, if the value is not or of another type
-laplacian_lines::OptionValue readParameter(const laplacian_lines::OptionDescription& option,
-                                           const laplacian_lines::OptionValue& fallback,
-                                           const RichParameterList& list,
-                                           const QString& prefix = QString());
+laplacian_lines::OptionValue read_parameter(const laplacian_lines::OptionDescription& option,
+                                            const laplacian_lines::OptionValue& fallback,
+                                            const RichParameterList& list,
+                                            const QString& prefix = QString());
 
 /// Keeps the option if the list lacks it. @throws as the above
 template <class Options>
-void readParameter(const laplacian_lines::OptionRow<Options>& row, Options& options,
-                   const RichParameterList& list, const QString& prefix = QString()) {
-    row.set_value(options, readParameter(row, row.value(options), list, prefix));
+void read_parameter(const laplacian_lines::OptionRow<Options>& row, Options& options,
+                    const RichParameterList& list, const QString& prefix = QString()) {
+    row.set_value(options, read_parameter(row, row.value(options), list, prefix));
 }
 
 // Parameter values as people write and read them. Thread-safe.
@@ -37,9 +37,9 @@ void readParameter(const laplacian_lines::OptionRow<Options>& row, Options& opti
 /// A number; a color, #202020 or its name; on, off, yes, no, true, false; or a choice, its number
 /// or an unambiguous beginning, in any case. @throws laplacian_lines::Error(InvalidOption) that
 /// names label, text and what is allowed
-double numberIn(const QString& text, const laplacian_lines::OptionDescription& option);
+double number_in(const QString& text, const laplacian_lines::OptionDescription& option);
 
 /// As its field in a dialog shows it.
-QString textOf(double value, const laplacian_lines::OptionDescription& option);
+QString text_of(double value, const laplacian_lines::OptionDescription& option);
 
 }  // namespace meshlab_host

@@ -13,7 +13,7 @@ public:
     SnapshotDialog();
 
     /// Whether it has closed since the last call.
-    bool hasClosed() { return std::exchange(has_closed_, false); }
+    bool has_closed() { return std::exchange(has_closed_, false); }
 
 protected:
     bool eventFilter(QObject* receiver, QEvent* event) override;

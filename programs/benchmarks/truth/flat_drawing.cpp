@@ -62,7 +62,7 @@ std::vector<PlaneLines> drawings_of(const TriangleMesh& mesh,
     std::vector<line_drawing::SheetOptions> options;
     for (const ViewFrame& frame : frames)
         options.push_back(options_of(frame));
-    const auto sheets = line_drawing::makeSheets({{mesh, &field}}, options);
+    const auto sheets = line_drawing::make_sheets({{mesh, &field}}, options);
     std::vector<PlaneLines> drawings;
     for (std::size_t i = 0; i < sheets.size(); ++i)
         drawings.push_back(lines_of(sheets[i].groups.at(0), shift_of(sheets[i], mesh, frames[i])));
