@@ -163,8 +163,8 @@ meshlab_host::Filter compute_filter() {
              "Chooses how the surface is analysed; without this filter, Render &gt; <b>Laplacian "
              "Lines</b> takes the defaults. The result is in per-vertex attributes <b>ll_...</b>, "
              "until the mesh changes.<br>"
-             "After Zhang, He and Seah, <i>Laplacian Lines for Real-Time Shape Illustration</i>, "
-             "2009. Version ") +
+             "After Zhang, He, Xie and Chen, <i>Laplacian Lines for Real-Time Shape "
+             "Illustration</i>, 2009. Version ") +
              laplacian_lines::version() + '.',
          meshlab_host::FilterInterface::Normal | meshlab_host::FilterInterface::Quality,
          MeshModel::MM_FACENUMBER},

@@ -66,22 +66,15 @@ void refuse_far_vertices(const Source& source) {
 }
 
 /// Of the layer in its own coordinates.
-LineSet line_set_of(const std::vector<laplacian_lines::SightLine>& lines, const Source& source) {
+LineSet line_set_of(std::vector<laplacian_lines::SightLine> lines, const Source& source) {
     LineSet set;
     set.origin = line_drawing::bounds_of(source.triangles).center();
+    const double diagonal = laplacian_lines::measure_scale(source.triangles, {}).diagonal;
     const Eigen::Affine3d to_layer(source.layer.inverse());
-    for (const laplacian_lines::SightLine& line : lines) {
-        laplacian_lines::Polyline polyline;
-        polyline.first = std::uint32_t(set.points.size());
-        polyline.count = std::uint32_t(line.points.size());
-        polyline.kind = line.kind;
-        polyline.closed = line.closed;
-        polyline.strength = line.strength;
-        polyline.slope = line.slope;
-        set.lines.push_back(polyline);
-        for (const laplacian_lines::SightPoint& point : line.points)
-            set.points.push_back({(to_layer * point.position - set.origin).cast<float>(),
-                                  point.weight, point.gradient, point.opacity});
+    for (laplacian_lines::SightLine& line : lines) {
+        for (laplacian_lines::SightPoint& point : line.points)
+            point.position = to_layer * point.position;
+        laplacian_lines::append(line, diagonal, set);
     }
     return set;
 }

@@ -28,8 +28,8 @@ private:
 };
 
 /// Extracts the lines of one mesh for any view. Built once from a mesh and its field, which need
-/// not outlive it. Source: Zhang, He, Seah, "Laplacian Lines for Real-Time Shape Illustration",
-/// section on extraction; where we deviate is said at the members of LineStyle.
+/// not outlive it. Source: Zhang, He, Xie, Chen, "Laplacian Lines for Real-Time Shape
+/// Illustration", section on extraction; where we deviate is said at the members of LineStyle.
 class LineExtractor {
 public:
     /// Values of the field that are not finite count as zero.

@@ -81,6 +81,9 @@ struct SightLine {
     std::vector<SightPoint> points;
 };
 
+/// Appends a line to a set, less its origin; `diagonal`: D, mesh units.
+void append(const SightLine& line, double diagonal, LineSet& to);
+
 /// Lines, cut where they come into sight or go out of it.
 struct LineParts {
     LineSet seen, hidden;

@@ -9,7 +9,7 @@
 namespace laplacian_lines {
 
 /// Computes the view-independent field of a mesh: normals, Δn, shape operators. Sources: L. Zhang,
-/// Y. He, H. S. Seah, "Laplacian Lines for Real-Time Shape Illustration"; for the Laplacian
+/// Y. He, X. Xie, W. Chen, "Laplacian Lines for Real-Time Shape Illustration"; for the Laplacian
 /// M. Belkin, J. Sun, Y. Wang, "Discrete Laplace Operator on Meshed Surfaces" (SoCG 2008). It is
 /// negative semi-definite: Δf < 0 at a maximum of f. Thread-safe; any number of threads gives the
 /// same. @throws Error: InvalidOption, InvalidMesh, EmptyMesh, TooCostly, Cancelled.

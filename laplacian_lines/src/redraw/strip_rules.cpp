@@ -41,7 +41,7 @@ void set_slopes(float least, float full, LineRules& rules) {
     rules.full_slope = std::max(full, positive);
 }
 
-/// L. Zhang, Y. He, H. S. Seah, "Laplacian Lines for Real-Time Shape Illustration"; what differs
+/// L. Zhang, Y. He, X. Xie, W. Chen, "Laplacian Lines for Real-Time Shape Illustration"; what differs
 /// from the paper is told at the members of LineStyle.
 LineRules laplacian_rules(const LineStyle& s, bool light_at_eye) {
     const Thresholds thresholds(s);

@@ -45,7 +45,7 @@ struct PartMemory {
 
 /// Appends the lines that strips make, or by LineRules::whole their parts that are drawn, and that
 /// the rules on whole lines accept. Visits all strips.
-/// Source: Zhang, He, Seah, step 3 (tracing) and Eq. 4 (strength).
+/// Source: Zhang, He, Xie, Chen, step 3 (tracing) and Eq. 4 (strength).
 void trace_lines(const LineRules& rules, std::vector<JoinedStrip>& strips, PartMemory& memory,
                  TracedLines& traced);
 

@@ -42,24 +42,6 @@ double winding_number(const PreparedMesh& mesh, const Eigen::Vector3d& point) {
     return sum / (4 * std::acos(-1.0));
 }
 
-void append(const SightLine& line, double diagonal, LineSet& to) {
-    Polyline result;
-    result.first = std::uint32_t(to.points.size());
-    result.count = std::uint32_t(line.points.size());
-    result.kind = line.kind;
-    result.closed = line.closed;
-    result.strength = line.strength;
-    result.slope = line.slope;
-    const SightPoint* before = nullptr;
-    for (const SightPoint& p : line.points) {
-        to.points.push_back(
-            {(p.position - to.origin).cast<float>(), p.weight, p.gradient, p.opacity});
-        if (before) result.length += float((p.position - before->position).norm() / diagonal);
-        before = &p;
-    }
-    to.lines.push_back(result);
-}
-
 /// For an eye with the whole mesh before it.
 std::vector<SightLine> look_at(const SightMesh& mesh, const CreaseMarker& creases,
                                const EyeFrame& frame, const std::vector<LineSet>& lines,
@@ -95,6 +77,24 @@ void look_through(const SightMesh& mesh, const EyeFrame& frame, const std::vecto
 }
 
 }  // namespace
+
+void append(const SightLine& line, double diagonal, LineSet& to) {
+    Polyline result;
+    result.first = std::uint32_t(to.points.size());
+    result.count = std::uint32_t(line.points.size());
+    result.kind = line.kind;
+    result.closed = line.closed;
+    result.strength = line.strength;
+    result.slope = line.slope;
+    const SightPoint* before = nullptr;
+    for (const SightPoint& p : line.points) {
+        to.points.push_back(
+            {(p.position - to.origin).cast<float>(), p.weight, p.gradient, p.opacity});
+        if (before) result.length += float((p.position - before->position).norm() / diagonal);
+        before = &p;
+    }
+    to.lines.push_back(result);
+}
 
 struct LineVisibility::Data {
     explicit Data(SightMesh found) : mesh(std::move(found)) {}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Line drawings of 3D scans by Laplacian lines (Zhang, He, Seah 2009), from and to NumPy arrays.
+"""Line drawings of 3D scans by Laplacian lines (Zhang, He, Xie, Chen 2009), from and to NumPy arrays.
 
     import laplacian_lines
     laplacian_lines.write_drawing("dragon.svg", "dragon.ply", views="six", unit="m")

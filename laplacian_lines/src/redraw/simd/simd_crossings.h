@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Zero crossings on edges: L. Zhang, Y. He, H. S. Seah, "Laplacian Lines for
+// Zero crossings on edges: L. Zhang, Y. He, X. Xie, W. Chen, "Laplacian Lines for
 // Real-Time Shape Illustration", step 2 of the extraction.
 #pragma once
 
