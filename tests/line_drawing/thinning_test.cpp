@@ -112,6 +112,29 @@ TEST(Fragments, AreShortAndMeetNothing) {
     EXPECT_EQ(whole({circle(8.1)}), 1u);
 }
 
+TEST(Fragments, AreContoursThatLeadNowhere) {
+    const DrawnLine tick = straight({0, 0}, {1.4, 0}, 1, LineClass::Contour),
+                    first = straight({0, -9}, {0, 9}, 1, LineClass::Contour),
+                    second = straight({1.4, -9}, {1.4, 9}, 1, LineClass::Outline);
+    EXPECT_EQ(whole({tick, first, second}), 3u);
+    EXPECT_EQ(whole({tick, first}), 1u);
+    EXPECT_EQ(whole({tick, straight({0, 0.3}, {9, 0.3}, 1, LineClass::Contour)}), 1u);  // beside
+    EXPECT_EQ(whole({tick, first, straight({1.4, -9}, {1.4, 9})}), 2u);  // to an inner line
+}
+
+TEST(Fragments, AreHolesThatWouldBeDots) {
+    for (const auto kind : {laplacian_lines::LineKind::Border, laplacian_lines::LineKind::Crease})
+        for (const double length : {1., 1.2}) {  // two pens, corner to corner: 1.11
+            DrawnLine ring = circle(length);
+            ring.line_class = LineClass::Contour;
+            ring.kind = kind;
+            for (DrawnPoint& point : ring.points)
+                point.is_exact = true;
+            const bool is_dot = kind == laplacian_lines::LineKind::Border && length < 1.1;
+            EXPECT_EQ(whole({ring}), is_dot ? 0u : 1u);
+        }
+}
+
 TEST(Fragments, AreNoStrokesOfATexture) {
     const DrawnLine fragment = straight({0, 0}, {3, 0});
     EXPECT_EQ(whole({fragment, straight({0, 2.5}, {3, 2.5})}), 2u);

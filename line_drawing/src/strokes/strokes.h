@@ -47,7 +47,8 @@ void cut_hooks(std::vector<DrawnLine>& lines, double pen);
 
 /// Leaves out inner lines and contours of curved surfaces that are shorter than `shortest`, mm, or
 /// rings of twice that, and meet no other line, but for inner lines with a like one beside them,
-/// which are a texture.
+/// which are a texture; contours shorter than six pens that do not lead from one edge of the form
+/// to another; and borders of holes that would be dots.
 std::vector<DrawnLine> without_fragments(std::vector<DrawnLine> lines, double shortest, double pen);
 
 /// Makes inner lines and contours of curved surfaces at least as wide as fine lines, and has them

@@ -22,6 +22,7 @@ constexpr double kShortestStroke = 6;
 constexpr double kLeastExtent = 4;    // √h: what is folded within it is a knot
 constexpr double kLeastInk = 6;       // mean weight times length
 constexpr double kShortestLoop = 24;  // 6 √h
+constexpr double kLeastHole = 2;      // of a surface: smaller ones would be dots
 constexpr double kLongestCrossing = 7.5, kLongestNearPass = 5;  // at another line, or near one
 constexpr double kLongestTouch = 3, kLongestNearEnd = 2;        // likewise, of an end
 constexpr double kSamePlace = 0.2, kMeeting = 2;
@@ -223,6 +224,11 @@ bool is_repeated(const std::vector<DrawnPoint>& line, const DrawnLines& all,
            all.next_on(middle, -side, {0, length}, is_other_kind);
 }
 
+bool is_dot(const DrawnLine& line, double pen) {
+    return line.kind == laplacian_lines::LineKind::Border && line.closed &&
+           extent_of(line) < kLeastHole * pen;
+}
+
 }  // namespace
 
 std::vector<DrawnLine> without_fragments(std::vector<DrawnLine> lines, double shortest,
@@ -234,12 +240,19 @@ std::vector<DrawnLine> without_fragments(std::vector<DrawnLine> lines, double sh
     std::vector<DrawnLine> rest;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::vector<DrawnPoint>& points = lines[i].points;
-        const auto meets = [&](const DrawnPoint& end) {
-            return all.is_near(end.position, i, kMeeting * pen);
+        const auto met_at = [&](const DrawnPoint& end) {
+            return all.nearest_on(end.position, i, kMeeting * pen);
         };
-        if (!is_on_curved(lines[i]) || lengths[i] >= shortest || meets(points.front()) ||
-            meets(points.back()) || (is_inner(lines[i]) && is_repeated(points, all, lengths, i)))
-            rest.push_back(lines[i]);
+        const auto first = met_at(points.front()), last = met_at(points.back());
+        const bool is_contour = is_curved_contour(lines[i]);
+        const auto stays = [&] {
+            if (is_contour && lengths[i] < kShortestStroke * pen)
+                return first && last && first->line != last->line &&
+                       !is_inner(lines[first->line]) && !is_inner(lines[last->line]);
+            return first || last || (!is_contour && is_repeated(points, all, lengths, i));
+        };
+        const bool is_fragment = is_on_curved(lines[i]) && lengths[i] < shortest && !stays();
+        if (!is_fragment && !is_dot(lines[i], pen)) rest.push_back(lines[i]);
     }
     return rest;
 }
