@@ -7,21 +7,27 @@
 
 namespace laplacian_lines {
 
-/// Passes of binomial smoothing (1-2-1) over `count` positions, at(i) each, of which those for
-/// which stays(i) stay. At an open end, what lies beyond is the position before, mirrored in the
-/// end. The first position of closed ones and its copy at the end stay equal.
-template <class PositionAt, class Stays>
-void smooth_binomially(std::size_t count, bool closed, int passes, PositionAt at, Stays stays) {
-    using Position = std::decay_t<decltype(at(0))>;
+/// What lies beyond an open end.
+enum class LineEnd {
+    Repeated,   ///< the end again: values change evenly up to it
+    Reflected,  ///< what is before it, mirrored in the end, which stays where it is
+};
+
+/// Passes of binomial smoothing (1-2-1) over `count` values, at(i) each, of which those for which
+/// stays(i) stay. The first value of closed lines and its copy at the end stay equal.
+template <LineEnd end = LineEnd::Reflected, class ValueAt, class Stays>
+void smooth_binomially(std::size_t count, bool closed, int passes, ValueAt at, Stays stays) {
+    using Value = std::decay_t<decltype(at(0))>;
+    const auto beyond = [](const Value& last, const Value& inner) {
+        return end == LineEnd::Repeated ? last : Value(2 * last - inner);
+    };
     const std::size_t last = count - 1;
     for (int pass = 0; pass < passes; ++pass) {
-        const Position second = at(1);
-        Position before = closed ? at(last - 1) : Position(2 * at(0) - second);
+        const Value second = at(1);
+        Value before = closed ? at(last - 1) : beyond(at(0), second);
         for (std::size_t i = 0; i <= last; ++i) {
-            const Position here = at(i);
-            const Position after = i < last ? at(i + 1)
-                                   : closed ? second
-                                            : Position(2 * here - before);
+            const Value here = at(i);
+            const Value after = i < last ? at(i + 1) : closed ? second : beyond(here, before);
             if (!stays(i)) at(i) = (before + 2 * here + after) / 4;
             before = here;
         }
