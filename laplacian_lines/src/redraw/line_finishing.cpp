@@ -75,29 +75,31 @@ void prefetch_points(const JoinedStrip& strip) {
         __builtin_prefetch(begin + i);
 }
 
-LinePoint line_point(const StripPoint& p, float slope) {
-    return {{p.position[0], p.position[1], p.position[2]}, slope, p.gradient, p.opacity};
-}
-
 /// Copies all strips of a line one behind the other; neighbours share a point. Weights are the
 /// slopes of the segments that end there.
 void collect_points(const TracedLines& traced, const TracedLines::Line& line, LinePoint* to) {
+    static_assert(sizeof(LinePoint) == sizeof(StripPoint), "the same numbers");
     const std::uint32_t* ends = traced.ends.data() + line.first_end;
     for (std::uint32_t i = 0; i < line.end_count; ++i) {
         if (i + kStripsAhead < line.end_count)
             prefetch_points(line.strips[ends[i + kStripsAhead] / 2]);
         const JoinedStrip& strip = line.strips[ends[i] / 2];
-        const StripPoint* const points = strip.points;
+        const auto* const points = reinterpret_cast<const LinePoint*>(strip.points);
         const std::uint32_t last = strip.count - 1;
         const bool backwards = ends[i] % 2 == 1;
-        const StripPoint& first = points[backwards ? last : 0];
+        const LinePoint& first = points[backwards ? last : 0];
         if (i == 0)
-            *to++ = line_point(first, 0);
+            *to++ = first;
         else if (std::signbit(first.gradient))  // of a hollow edge, both of whose ends say so
             to[-1].gradient = first.gradient;
-        for (std::uint32_t k = 1; k <= last; ++k)
-            *to++ = backwards ? line_point(points[last - k], points[last - k + 1].slope)
-                              : line_point(points[k], points[k].slope);
+        if (!backwards) {
+            to = std::copy(points + 1, points + strip.count, to);
+            continue;
+        }
+        for (std::uint32_t k = last; k-- > 0; ++to) {
+            *to = points[k];
+            to->weight = points[k + 1].weight;
+        }
     }
 }
 
@@ -124,11 +126,14 @@ void weigh(const LineRules& rules, const Polyline& p, LinePoint* points) {
     }
 }
 
-void smooth(const Polyline& p, LinePoint* points, float LinePoint::*value) {
+/// Weights and opacities, of which the last four numbers of a point are the second and the last.
+void smooth_looks(const Polyline& p, LinePoint* points) {
     smooth_binomially<LineEnd::Repeated>(
-        p.count, p.closed, kTaperingPasses,
-        [&](std::size_t i) -> float& { return points[i].*value; },
-        [](std::size_t) { return false; });
+        p.count, p.closed, kTaperingPasses, [&](std::size_t i) { return four_of(points[i], 2); },
+        [&](std::size_t i, const FourOfPoint& v) {
+            points[i].weight = v[1];
+            points[i].opacity = v[3];
+        });
 }
 
 /// Lets an open end run out over `length`; `step` leads from it to the inside.
@@ -147,8 +152,7 @@ void taper(const LineRules& rules, const Polyline& p, LinePoint* points) {
     const bool fades = !p.closed && rules.end_length > 0,
                first_fades = fades && points->opacity > 0, last_fades = fades && last.opacity > 0;
     weigh(rules, p, points);
-    smooth(p, points, &LinePoint::weight);
-    smooth(p, points, &LinePoint::opacity);
+    smooth_looks(p, points);
     if (first_fades) fade_end(p.count, points, 1, rules.end_length);
     if (last_fades) fade_end(p.count, &last, -1, rules.end_length);
 }
@@ -222,7 +226,7 @@ void finish_line(const ExtractorData& data, const TracedLines& traced,
     } else {
         for (std::uint32_t i = 0; i < p.count; ++i)
             points[i].weight = std::exchange(points[i].opacity, 1.f);
-        smooth(p, points, &LinePoint::weight);
+        smooth_looks(p, points);
     }
     smooth_positions(p, points, rules.smoothing_passes);
     for (std::uint32_t i = 0; i < p.count; ++i)

@@ -148,7 +148,7 @@ void append_horizon(const EdgeHorizon& horizon, const LocalEye& eye, unsigned ki
                                                0};
         for (const Eigen::Vector3f& p : ends)
             output.points[output.point_count++] = {
-                {p.x(), p.y(), p.z()}, edge.is_hollow && is_outside ? -0.f : 0.f, 0, 1};
+                {p.x(), p.y(), p.z()}, 0, edge.is_hollow && is_outside ? -0.f : 0.f, 1};
     }
     chunk.end[kind] = output.strip_count;
     found.chunks.push_back(chunk);

@@ -41,11 +41,11 @@ struct ExtractionTask {
     } kinds[kStripKindCount];
 };
 
-/// A point of a strip; local position.
+/// A point of a strip, as LinePoint; local position.
 struct StripPoint {
     float position[3];
-    float gradient;  ///< ‖∇I‖
     float slope;     ///< of the segment that ends here; 0 at the first point
+    float gradient;  ///< ‖∇I‖
     float opacity;   ///< less than 1 where the crossing alone asks for fading
 };
 

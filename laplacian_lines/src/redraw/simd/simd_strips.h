@@ -230,8 +230,10 @@ private:
     }
 
     void write_point(unsigned crossing, float slope, StripPoint* point) {
-        store_row(load4(crossings_.points[crossing]), point->position);  // and the gradient
+        const Float4 row = load4(crossings_.points[crossing]);
+        store_row(row, point->position);
         point->slope = slope;
+        point->gradient = row[3];
         point->opacity = crossings_.opacity[crossing];
     }
 
