@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contours where triangles are coarse: mesh edges, joined to the smooth contours elsewhere.
+// Contours of coarse meshes: mesh edges.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -108,7 +108,7 @@ TEST(Horizon, IsNotMovedBySmoothing) {
 }
 
 TEST(Horizon, StaysAtTheEdges) {
-    const TriangleMesh cube = test_meshes::cube(40);  // coarse at some edges, fine on the faces
+    const TriangleMesh cube = test_meshes::cube(40);  // coarse at its edges, fine on the faces
     const LineExtractor extractor(cube, precompute(cube));
     const double largest = 0.003 * std::sqrt(12);
     for (const View& view : helpers::random_views(cube, 10)) {

@@ -10,10 +10,9 @@
 
 #include "clusters/cluster_partition.h"
 #include "clusters/coarseness.h"
-#include "clusters/linear_forms.h"
 #include "field/derivative_scale.h"
 #include "mesh/flat_faces.h"
-#include "rules/convexity.h"
+#include "rules/thresholds.h"
 #include "system/large_array.h"
 
 namespace laplacian_lines {
@@ -86,15 +85,14 @@ public:
         plain_ = find_plain_triangles(mesh_);
         const CornerTable sides(mesh_.triangles, mesh_.size());
         data_.flat_share = flat_faces(mesh_, sides).share;
-        coarse_ = find_coarse_triangles(mesh_, data_.flat_share > kMadeShare, field_);
-        partition_ = partition(mesh_, sides, coarse_);
+        partition_ = partition(mesh_, sides);
         stage.report(kPartitioned);
-        links_ = link_clusters(mesh_, sides, coarse_, partition_);
+        links_ = link_clusters(mesh_, sides, partition_);
         data_.border_edge_count = links_.number_count;
         data_.vertex_count = std::uint32_t(mesh_.size());
         judge_borders();
-        data_.horizon =
-            find_coarse_horizon(mesh_, field_, sides, coarse_, partition_, links_, data_.is_body);
+        if (follows_edges(mesh_, data_.flat_share > kMadeShare, field_))
+            data_.horizon = find_edge_horizon(mesh_, sides, data_.is_body);
         find_convex();
         stage.report(kLinked);
         data_.memory_of_clusters = large_array<ExtractorData::Unit>(lay_out());
@@ -249,7 +247,6 @@ private:
         };
         mark(cluster.convex, all_corners(convex_));
         mark(cluster.convex_around, all_corners(convex_around_));
-        mark(cluster.coarse, [&](unsigned i) { return coarse_[partition_.order[first + i]]; });
         mark(cluster.plain, [&](unsigned i) { return plain_[partition_.order[first + i]]; });
     }
 
@@ -289,18 +286,13 @@ private:
     const Field& field_;
     const double squared_scale_;  // h_e of the kernel of derivatives
     ExtractorData& data_;
-    std::vector<std::uint8_t> coarse_, plain_;          // by triangle of the mesh
+    std::vector<std::uint8_t> plain_;                   // by triangle of the mesh
     std::vector<std::uint8_t> convex_, convex_around_;  // by vertex
     Partition partition_;
     ClusterLinks links_;
 };
 
 }  // namespace
-
-double squared_scale(double kernel_size, const FieldScale& scale) {
-    const double size = kernel_size / scale.diagonal, sigma = scale.normal_sigma / scale.diagonal;
-    return size * size + sigma * sigma / 2;
-}
 
 void build_clusters(const PreparedMesh& mesh, const Field& field, const StageProgress& stage,
                     ExtractorData& data) {

@@ -46,7 +46,7 @@ struct alignas(kCacheUnit) CurvatureRecord {
 static_assert(sizeof(CurvatureRecord) == kCacheUnit, "a curvature record is one cache unit");
 
 /// Corners in cyclic order; neighbour k is across the edge from corner k to the next: the number of
-/// a triangle of the cluster with the same orientation and coarseness, or of an edge to others, or
+/// a triangle of the cluster with the same orientation, or of an edge to others, or
 /// kNoNeighbour where lines end (borders, edges of more than two triangles).
 struct ClusterTriangle {
     std::uint8_t corners[3];
@@ -86,8 +86,6 @@ struct Cluster {
     /// their neighbours.
     std::uint64_t convex[kClusterTriangles / kMaskGroup];
     std::uint64_t convex_around[kClusterTriangles / kMaskGroup];
-    /// Likewise: coarse ones, see coarseness.h, in which contours are no zeros.
-    std::uint64_t coarse[kClusterTriangles / kMaskGroup];
     /// A bit for each triangle: of find_plain_triangles(), see LineRules::leave_out_plain.
     std::uint64_t plain[kClusterTriangles / kMaskGroup];
 };

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <numeric>
 
 #include "clusters/cluster_data.h"
 #include "system/large_array.h"
@@ -49,20 +48,16 @@ private:
 };
 
 /// Whether a redraw goes on from a triangle to the next without an edge's number: within a cluster,
-/// one orientation and coarseness. Else lines are joined at the number.
-bool goes_on_within(const PreparedMesh& mesh, const std::vector<std::uint8_t>& coarse,
-                    std::uint32_t side, std::uint32_t across) {
-    return begin_of(mesh.triangles, side) != begin_of(mesh.triangles, across) &&
-           coarse[side / 3] == coarse[across / 3];
+/// one orientation. Else lines are joined at the number.
+bool goes_on_within(const PreparedMesh& mesh, std::uint32_t side, std::uint32_t across) {
+    return begin_of(mesh.triangles, side) != begin_of(mesh.triangles, across);
 }
 
 class Partitioner {
 public:
-    Partitioner(const PreparedMesh& mesh, const CornerTable& sides,
-                const std::vector<std::uint8_t>& coarse, Partition& result)
+    Partitioner(const PreparedMesh& mesh, const CornerTable& sides, Partition& result)
         : mesh_(mesh),
           sides_(sides),
-          coarse_(coarse),
           result_(result),
           centres_(large_array<TriangleCentre>(mesh.triangles.size())),
           places_(mesh.triangles.size()),
@@ -164,7 +159,7 @@ private:
                 const std::uint32_t across = sides_.across(side);
                 if (across == CornerTable::kMany) continue;
                 numbers += across == CornerTable::kBorder || !is_in(range, across / 3) ||
-                           !goes_on_within(mesh_, coarse_, side, across);
+                           !goes_on_within(mesh_, side, across);
             }
         return numbers;
     }
@@ -177,7 +172,6 @@ private:
 
     const PreparedMesh& mesh_;
     const CornerTable& sides_;
-    const std::vector<std::uint8_t>& coarse_;
     Partition& result_;
     std::vector<TriangleCentre> centres_;
     std::vector<std::atomic<std::uint32_t>> places_;  // by triangle, of the last try
@@ -186,44 +180,29 @@ private:
 
 }  // namespace
 
-Partition partition(const PreparedMesh& mesh, const CornerTable& sides,
-                    const std::vector<std::uint8_t>& coarse) {
+Partition partition(const PreparedMesh& mesh, const CornerTable& sides) {
     Partition result;
-    if (!mesh.triangles.empty()) Partitioner(mesh, sides, coarse, result).run();
+    if (!mesh.triangles.empty()) Partitioner(mesh, sides, result).run();
     return result;
 }
 
 ClusterLinks link_clusters(const PreparedMesh& mesh, const CornerTable& sides,
-                           const std::vector<std::uint8_t>& coarse, const Partition& partition) {
+                           const Partition& partition) {
     ClusterLinks links;
     links.across = large_array(sides.side_count(), ClusterLinks::kNobody);
-    std::vector<std::uint32_t> numbers(partition.ranges.size() + 1, 0);  // of edges, by cluster
-    // Calls number(place, other) for each edge to others, in the cluster that comes first, with the
-    // places of both sides.
-    const auto for_each_numbered = [&](std::size_t c, const auto& number) {
-        const ClusterRange& range = partition.ranges[c];
+    for (const ClusterRange& range : partition.ranges)
         for (std::uint32_t place = 3 * range.begin; place < 3 * range.end; ++place) {
             const std::uint32_t side = 3 * partition.order[place / 3] + place % 3;
             if (!sides.has_neighbour(side)) continue;
             const std::uint32_t across = sides.across(side),
                                 triangle = partition.places[across / 3];
             if (triangle >= range.begin && triangle < range.end &&
-                goes_on_within(mesh, coarse, side, across))
+                goes_on_within(mesh, side, across))
                 links.across[place] = triangle;
             else if (const std::uint32_t other = 3 * triangle + across % 3; place < other)
-                number(place, other);
+                links.across[place] = links.across[other] =
+                    ClusterLinks::kNumber + links.number_count++;
         }
-    };
-    in_parallel(partition.ranges.size(), [&](std::size_t c) {
-        for_each_numbered(c, [&](std::uint32_t, std::uint32_t) { ++numbers[c + 1]; });
-    });
-    std::partial_sum(numbers.begin(), numbers.end(), numbers.begin());
-    links.number_count = numbers.back();
-    in_parallel(partition.ranges.size(), [&](std::size_t c) {
-        for_each_numbered(c, [&](std::uint32_t place, std::uint32_t other) {
-            links.across[place] = links.across[other] = ClusterLinks::kNumber + numbers[c]++;
-        });
-    });
     return links;
 }
 

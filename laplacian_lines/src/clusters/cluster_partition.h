@@ -24,10 +24,8 @@ struct Partition {
 };
 
 /// Cuts the mesh into pieces that are compact in space and keep within the limits of
-/// cluster_data.h, whatever the topology. `coarse`: by triangle, see coarseness.h. The number of
-/// threads does not matter.
-Partition partition(const PreparedMesh& mesh, const CornerTable& sides,
-                    const std::vector<std::uint8_t>& coarse);
+/// cluster_data.h, whatever the topology. The number of threads does not matter.
+Partition partition(const PreparedMesh& mesh, const CornerTable& sides);
 
 /// What lies across sides of triangles, by 3 place + k.
 struct ClusterLinks {
@@ -40,8 +38,7 @@ struct ClusterLinks {
     static bool is_number(std::uint32_t across) { return across >= kNumber && across != kNobody; }
 };
 
-/// The number of threads does not matter.
 ClusterLinks link_clusters(const PreparedMesh& mesh, const CornerTable& sides,
-                           const std::vector<std::uint8_t>& coarse, const Partition& partition);
+                           const Partition& partition);
 
 }  // namespace laplacian_lines

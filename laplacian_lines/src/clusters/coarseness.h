@@ -12,16 +12,14 @@ namespace laplacian_lines {
 /// Whether edges of the mesh are those of noise or voxels, not of the form.
 bool is_rough(const MeshReport& report);
 
-/// Which triangles are coarse, 1 or 0 for each. In a fine one the zero of n·l lies near the horizon
-/// of the triangles: a contour's triangle is seen at most as steeply as its plane leans away from
-/// the normals n of its corners, so the two are at most its size times the sine of that angle
-/// apart in the picture. In a coarse one that is too far, or it is large: there contours follow its
-/// edges. A few in fine surroundings, such as bad triangles of a scan, do not count, and on rough
-/// meshes only large ones do; of a mesh that was made, with flat faces of several triangles, all do
-/// that lean by 10° and more, however small. Where more than half count, all do. The number of
-/// threads does not matter.
-std::vector<std::uint8_t> find_coarse_triangles(const PreparedMesh& mesh, bool is_made,
-                                                const Field& field);
+/// Whether contours follow edges of the mesh, because a quarter of its area is coarse. In a fine
+/// triangle the zero of n·l lies near the horizon of the triangles: a contour's triangle is seen at
+/// most as steeply as its plane leans away from the normals n of its corners, so the two are at
+/// most its size times the sine of that angle apart in the picture. In a coarse one that is too
+/// far, or it is large. On rough meshes only large ones count. Of a mesh that was made, with flat
+/// faces of several triangles, all count that lean by 10° and more, however small, and 2 % are
+/// enough. The number of threads does not matter.
+bool follows_edges(const PreparedMesh& mesh, bool is_made, const Field& field);
 
 /// Which triangles are plain, 1 or 0 for each: where the surface has no form of its own that a
 /// Laplacian line could tell of, so that what is found there comes from beyond an edge, over which

@@ -6,7 +6,6 @@
 
 #include "clusters/cluster_building.h"
 #include "clusters/coarseness.h"
-#include "clusters/linear_forms.h"
 #include "field/derivative_scale.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/field_columns.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "clusters/cluster_data.h"
-#include "clusters/coarse_horizon.h"
+#include "clusters/edge_horizon.h"
 #include "laplacian_lines/field.h"
 #include "laplacian_lines/line_kind.h"
 #include "laplacian_lines/progress.h"
@@ -40,7 +40,7 @@ struct ExtractorData {
     bool is_rough = false;  ///< edges of the mesh are those of noise or voxels, not of the form
     bool is_sheet = false;  ///< its borders are so long that it is seen from both sides
     bool is_body = false;   ///< closed and facing outwards: what faces away is hidden
-    CoarseHorizon horizon;
+    EdgeHorizon horizon;    ///< empty where contours are zeros of n·l
 
     ClusterStore store() const;
     std::size_t memory() const;  ///< bytes
@@ -73,6 +73,13 @@ inline Eigen::Vector3f position_of(const VertexRecord& record) {
 inline Eigen::Vector3f normal_of(const VertexRecord& record) {
     const auto& columns = record.shape_operator;
     return {columns[0][3], columns[1][3], columns[2][3]};
+}
+
+/// The vector of a vertex's form.
+inline Eigen::Vector3f vector_of_form(const FormGroup* groups, unsigned vertex) {
+    const auto& numbers = groups[vertex / kFormGroup].numbers;
+    const unsigned i = vertex % kFormGroup;
+    return {numbers[0][i], numbers[1][i], numbers[2][i]};
 }
 
 /// A cluster with where its parts are.

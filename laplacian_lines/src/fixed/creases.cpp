@@ -10,8 +10,8 @@
 #include "fixed/fixed_lines.h"
 #include "fixed/line_copies.h"
 #include "fixed/piece_graph.h"
-#include "rules/runs.h"
 #include "rules/thresholds.h"
+#include "system/chains.h"
 #include "system/disjoint_sets.h"
 #include "system/on_demand.h"
 

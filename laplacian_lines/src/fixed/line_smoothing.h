@@ -7,33 +7,45 @@
 
 namespace laplacian_lines {
 
-/// Passes of binomial smoothing (1-2-1) over `count` positions, at(i) each, of which those for
-/// which stays(i) stay. At an open end, what lies beyond is the position before, mirrored in the
-/// end. The first position of closed ones and its copy at the end stay equal.
-template <class PositionAt, class Stays>
-void smooth_binomially(std::size_t count, bool closed, int passes, PositionAt at, Stays stays) {
-    using Position = std::decay_t<decltype(at(0))>;
+/// What lies beyond an open end.
+enum class LineEnd {
+    Repeated,   ///< the end again: values change evenly up to it
+    Reflected,  ///< what is before it, mirrored in the end, which stays where it is
+};
+
+/// Passes of binomial smoothing (1-2-1) over `count` values, get(i) each; set(i, value) replaces
+/// one. The first value of closed lines and its copy at the end stay equal.
+template <LineEnd end = LineEnd::Reflected, class Get, class Set>
+void smooth_binomially(std::size_t count, bool closed, int passes, Get get, Set set) {
+    using Value = std::decay_t<decltype(get(0))>;
+    const auto beyond = [](const Value& last, const Value& inner) {
+        return end == LineEnd::Repeated ? last : Value(2 * last - inner);
+    };
     const std::size_t last = count - 1;
     for (int pass = 0; pass < passes; ++pass) {
-        const Position second = at(1);
-        Position before = closed ? at(last - 1) : Position(2 * at(0) - second);
-        for (std::size_t i = 0; i <= last; ++i) {
-            const Position here = at(i);
-            const Position after = i < last ? at(i + 1)
-                                   : closed ? second
-                                            : Position(2 * here - before);
-            if (!stays(i)) at(i) = (before + 2 * here + after) / 4;
+        const Value second = get(1);
+        Value here = get(0), before = closed ? get(last - 1) : beyond(here, second);
+        for (std::size_t i = 0; i < last; ++i) {
+            const Value after = get(i + 1);
+            set(i, Value((before + 2 * here + after) / 4));
             before = here;
+            here = after;
         }
+        set(last, Value((before + 2 * here + (closed ? second : beyond(here, before))) / 4));
     }
+}
+
+/// Four successive numbers of a point at once, of which setting may leave some.
+using FourOfPoint = Eigen::Array4f;
+inline FourOfPoint four_of(const LinePoint& point, int first) {
+    return Eigen::Map<const FourOfPoint>(reinterpret_cast<const float*>(&point) + first);
 }
 
 /// The same of a line's points, open ends of which stay where they are.
 inline void smooth_positions(const Polyline& line, LinePoint* points, int passes) {
     smooth_binomially(
-        line.count, line.closed, passes,
-        [&](std::size_t i) -> Eigen::Vector3f& { return points[i].position; },
-        [](std::size_t) { return false; });
+        line.count, line.closed, passes, [&](std::size_t i) { return four_of(points[i], 0); },
+        [&](std::size_t i, const FourOfPoint& p) { points[i].position = p.head<3>(); });
 }
 
 }  // namespace laplacian_lines

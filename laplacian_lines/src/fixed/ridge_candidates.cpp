@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clusters/linear_forms.h"
 #include "fixed/strong_lines.h"
 #include "system/three_floats.h"
 

@@ -5,8 +5,8 @@
 
 #include "fixed/line_copies.h"
 #include "fixed/line_smoothing.h"
-#include "rules/opacity.h"
-#include "rules/runs.h"
+#include "rules/thresholds.h"
+#include "system/chains.h"
 #include "system/three_floats.h"
 
 namespace laplacian_lines {

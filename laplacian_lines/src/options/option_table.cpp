@@ -137,8 +137,8 @@ const std::vector<OptionRow<LineStyle>>& line_style_table() {
 
         kind_switch<LineKind::Contour, &S::shows>(),
         boolean<&S::exact_outlines>("exact_outlines", "Exact Outlines",
-                                    "Outlines follow the edges of triangles that are large or meet "
-                                    "at steep angles, and are smooth curves elsewhere."),
+                                    "Outlines follow edges of a mesh whose triangles are large or "
+                                    "meet at steep angles, and are smooth curves on others."),
         kind_switch<LineKind::Laplacian, &S::shows>(),
         boolean<&S::single_strokes>(
             "single_strokes", "Single Strokes",

@@ -7,9 +7,8 @@
 #include "clusters/extractor_data.h"
 #include "fixed/fixed_lines.h"
 #include "laplacian_lines/error.h"
-#include "redraw/horizon.h"
 #include "redraw/line_finishing.h"
-#include "redraw/strip_rules.h"
+#include "rules/thresholds.h"
 #include "system/three_floats.h"
 
 namespace laplacian_lines {
@@ -24,7 +23,6 @@ struct ExtractionScratch::Memory {
     JoiningMemory joining;
     PartMemory parts;
     TracedLines traced;
-    HorizonMemory horizon;
     FinishingMemory finishing;
 };
 
@@ -81,6 +79,12 @@ void set_eye(const LocalEye& eye, float out[4]) {
     Eigen::Map<Eigen::Vector4f>(out) << eye.eye, eye.w;
 }
 
+/// Whether lines of a kind that is shown are edges of the mesh.
+bool is_on_edges(LineKind kind, const LineStyle& style, const ExtractorData& data) {
+    return kind == LineKind::Contour && style.shows[kind] && style.exact_outlines &&
+           !data.horizon.edges.empty();
+}
+
 ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEye& eye,
                          const ExtractorData& data) {
     ExtractionTask task;
@@ -92,11 +96,14 @@ ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEy
     for (unsigned number = 0; number < kStripKindCount; ++number) {
         const LineKind kind = kStripKinds[number];
         LineRules rules = strip_rules(kind, style, task.light_at_eye);
+        rules.kind = kind;
         rules.kernel_size = data.kernel_size;
         if (data.is_sheet) rules.concave_thinning = LineRules::kNoThinning;
         const float least_facing =
             rules.leave_out_away ? 0 : least_scaled_facing(rules.least_facing, eye);
-        const bool wanted = style.shows[kind] && has_needs_of(kind, data);
+        const bool on_edges = is_on_edges(kind, style, data);
+        if (on_edges) rules.smoothing_passes = 0;
+        const bool wanted = !on_edges && style.shows[kind] && has_needs_of(kind, data);
         task.kinds[number] = {wanted, least_facing, rules};
     }
     return task;
@@ -113,13 +120,12 @@ void LineExtractor::extract(const View& view, const LineStyle& style, Extraction
     find_strips(*data_, task, memory.found);
     memory.traced.clear();
     for (unsigned kind = 0; kind < kStripKindCount; ++kind) {
-        join_strips(memory.found, kind, data_->border_edge_count, memory.joining);
-        const ExtractionTask::Wanted& wanted = task.kinds[kind];
-        if (wanted.lines && wanted.rules.leave_out_coarse && !data_->horizon.empty()) {
-            find_open_ends(memory.found, kind, memory.joining);
-            append_horizon(data_->horizon, eye, kind, memory.joining, memory.horizon);
-        }
-        trace_lines(wanted.rules, memory.joining.strips[kind], memory.parts, memory.traced);
+        const bool on_edges = is_on_edges(kStripKinds[kind], style, *data_);
+        if (on_edges) append_horizon(data_->horizon, eye, kind, memory.found);
+        join_strips(memory.found, kind, on_edges ? data_->vertex_count : data_->border_edge_count,
+                    memory.joining);
+        trace_lines(task.kinds[kind].rules, memory.joining.strips[kind], memory.parts,
+                    memory.traced);
     }
     lines.origin = data_->origin;
     finish_lines(*data_, memory.traced, memory.finishing, lines);

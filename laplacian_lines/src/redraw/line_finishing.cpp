@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "rules/line_acceptance.h"
-#include "rules/opacity.h"
+#include "fixed/line_smoothing.h"
+#include "rules/thresholds.h"
 #include "system/parallel.h"
-#include "system/simd_sets.h"
 #include "system/three_floats.h"
 
 namespace laplacian_lines {
@@ -17,108 +17,56 @@ constexpr float kReach = 0.375f;            // to both sides, in √h
 constexpr float kSharpestCosine = -0.342f;  // of 110°
 
 /// Cosine between the ways from a to b and from b to c; 1 where there is none.
-float cosine_of_turn(const LineColumns& p, std::size_t a, std::size_t b, std::size_t c) {
-    const float ux = p.x[b] - p.x[a], uy = p.y[b] - p.y[a], uz = p.z[b] - p.z[a];
-    const float vx = p.x[c] - p.x[b], vy = p.y[c] - p.y[b], vz = p.z[c] - p.z[b];
-    const float product = ux * vx + uy * vy + uz * vz;
+float cosine_of_turn(const LinePoint& a, const LinePoint& b, const LinePoint& c) {
+    const Eigen::Vector3f u = b.position - a.position, v = c.position - b.position;
+    const float product = dot(u, v);
     if (product >= 0) return 1;
-    const float squares = (ux * ux + uy * uy + uz * uz) * (vx * vx + vy * vy + vz * vz);
-    return product / std::sqrt(squares);
+    return product / std::sqrt(squared_length_of(u) * squared_length_of(v));
 }
 
-}  // namespace
-
-void Hairpins::measure(const LineColumns& line) {
-    for (std::size_t i = 1; i < lengths_.size(); ++i) {
-        const float x = line.x[i] - line.x[i - 1], y = line.y[i] - line.y[i - 1],
-                    z = line.z[i] - line.z[i - 1];
-        lengths_[i] = std::sqrt(x * x + y * y + z * z);
-    }
-    for (std::size_t i = 1; i < lengths_.size(); ++i)
-        lengths_[i] += lengths_[i - 1];
-}
-
-bool Hairpins::find(const LineColumns& line, std::uint32_t count, float kernel_size) {
-    lengths_.assign(count, 0.f);
-    passes_.assign(count, 1.f);
-    measure(line);
+/// Finds where a part of a whole line turns back sharply: passes[i] is how much of it goes on at a
+/// point, 0 at a hairpin, 1 away from any. Returns whether there is one.
+bool find_hairpins(const LinePoint* line, std::uint32_t count, float kernel_size,
+                   FinishingThread& memory) {
+    auto& [lengths, passes] = memory.hairpins;
+    lengths.assign(count, 0.f);  // from the first point to each
+    passes.assign(count, 1.f);
+    for (std::size_t i = 1; i < count; ++i)
+        lengths[i] = lengths[i - 1] + length_of(line[i].position - line[i - 1].position);
     const float reach = kReach * kernel_size;
     bool any = false;
     std::size_t low = 0, high = 0;
     for (std::size_t i = 0; i < count && high < count; ++i) {
-        while (low < i && lengths_[low + 1] <= lengths_[i] - reach)
+        while (low < i && lengths[low + 1] <= lengths[i] - reach)
             ++low;
-        while (high < count && lengths_[high] < lengths_[i] + reach)
+        while (high < count && lengths[high] < lengths[i] + reach)
             ++high;
-        if (lengths_[low] > lengths_[i] - reach || high == count) continue;
-        passes_[i] = rise(cosine_of_turn(line, low, i, high), kSharpestCosine, 0);
-        any |= passes_[i] < 1;
+        if (lengths[low] > lengths[i] - reach || high == count) continue;
+        passes[i] = rise(cosine_of_turn(line[low], line[i], line[high]), kSharpestCosine, 0);
+        any |= passes[i] < 1;
     }
     return any;
 }
 
-void Hairpins::split(const float* starts) {
-    limbs_.clear();
-    ranges_.clear();
-    const auto count = std::uint32_t(passes_.size());
-    limbs_.push_back({0, 0, 0, 0});
-    std::uint32_t begin = 0;  // of what no hairpin cuts
-    for (std::uint32_t i = 0; i < count; ++i) {
-        limbs_.back().carried = std::max(limbs_.back().carried, starts[i] * passes_[i]);
-        const bool turns = i > 0 && i + 1 < count && passes_[i] < 1 &&
-                           passes_[i] <= passes_[i - 1] && passes_[i] < passes_[i + 1];
-        if (turns) {
-            limbs_.back().end = i;
-            limbs_.push_back({i, i, passes_[i], 0});
-        }
-        if (passes_[i] > 0) continue;
-        if (i > begin + 1) ranges_.push_back({begin, i});
-        begin = i + 1;
-    }
-    limbs_.back().end = count;
-    if (count > begin + 1) ranges_.push_back({begin, count});
+/// Beyond a hairpin a line is its own companion on the convex side, which is drawn only as far as
+/// it is clear by itself, or carried by what is: opacities fade towards hairpins and beyond.
+/// `clear`: how clear the line is by itself, by point; overwritten.
+void fade_at_hairpins(const std::vector<float>& passes, std::vector<float>& clear,
+                      LinePoint* line) {
+    float carried = 0, most = 0;
+    for (std::size_t i = 0; i < passes.size(); ++i)
+        clear[i] = carried = std::max(clear[i] * passes[i], std::min(carried, passes[i]));
+    carried = 0;
+    for (std::size_t i = passes.size(); i-- > 0; most = std::max(most, carried))
+        clear[i] = carried = std::max(clear[i], std::min(carried, passes[i]));
+    for (std::size_t i = 0; i < passes.size(); ++i)
+        line[i].opacity *= std::min(passes[i], most > 0 ? 2 * clear[i] / most : 1.f);
 }
-
-/// From limb to limb, both ways; returns the most.
-float Hairpins::carry() {
-    for (std::size_t i = 1; i < limbs_.size(); ++i)
-        limbs_[i].carried =
-            std::max(limbs_[i].carried, std::min(limbs_[i].passes, limbs_[i - 1].carried));
-    float most = 0;
-    for (std::size_t i = limbs_.size(); i-- > 0; most = std::max(most, limbs_[i].carried))
-        if (i + 1 < limbs_.size())
-            limbs_[i].carried =
-                std::max(limbs_[i].carried, std::min(limbs_[i + 1].passes, limbs_[i + 1].carried));
-    return most;
-}
-
-void Hairpins::fade(const float* starts, float* opacities) {
-    split(starts);
-    const float most = carry();
-    for (const Limb& limb : limbs_) {
-        const float carried = most > 0 ? std::min(1.f, 2 * limb.carried / most) : 1.f;
-        for (std::uint32_t i = limb.begin; i < limb.end; ++i)
-            opacities[i] *= std::min(passes_[i], carried);
-    }
-}
-
-namespace {
 
 constexpr std::uint32_t kLeastParallelPoints = 4000;
 constexpr std::size_t kLinesAtOnce = 4;
-constexpr std::size_t kColumns = 7;
 constexpr std::uint32_t kStripsAhead = 4;
-static_assert(sizeof(LinePoint) == 6 * sizeof(float), "finish_line() writes six floats a point");
-
-/// Of a column for a line of up to `count` points: one of them before the first point.
-std::size_t column_units(std::uint32_t count) {
-    return (count + kColumnMargin - 1) / FinishingThread::kUnitFloats + 2;
-}
-
-LineColumns make_columns(std::vector<FinishingThread::Unit>& columns, std::size_t units) {
-    const auto column = [&](std::size_t i) { return columns[i * units + 1].floats; };
-    return {column(0), column(1), column(2), column(3), column(4), column(5), column(6)};
-}
+constexpr int kTaperingPasses = 2;  // slopes of neighbouring triangles differ visibly
 
 /// Asks for a strip that will be copied soon: strips of a line come from all over the memory.
 void prefetch_points(const JoinedStrip& strip) {
@@ -127,114 +75,162 @@ void prefetch_points(const JoinedStrip& strip) {
         __builtin_prefetch(begin + i);
 }
 
-void set_point(const LineColumns& c, std::size_t i, const StripPoint& p, float slope) {
-    c.x[i] = p.position[0];
-    c.y[i] = p.position[1];
-    c.z[i] = p.position[2];
-    c.gradient[i] = p.gradient;
-    c.opacity[i] = p.opacity;
-    c.weight[i] = slope;
-}
-
-/// Copies all strips of a line one behind the other; neighbours share a point.
-void collect_points(const TracedLines& traced, const TracedLines::Line& line,
-                    const LineColumns& columns) {
-    std::size_t place = 0;
+/// Copies all strips of a line one behind the other; neighbours share a point. Weights are the
+/// slopes of the segments that end there.
+void collect_points(const TracedLines& traced, const TracedLines::Line& line, LinePoint* to) {
+    static_assert(sizeof(LinePoint) == sizeof(StripPoint), "the same numbers");
     const std::uint32_t* ends = traced.ends.data() + line.first_end;
     for (std::uint32_t i = 0; i < line.end_count; ++i) {
         if (i + kStripsAhead < line.end_count)
             prefetch_points(line.strips[ends[i + kStripsAhead] / 2]);
         const JoinedStrip& strip = line.strips[ends[i] / 2];
-        const StripPoint* const points = strip.points;
+        const auto* const points = reinterpret_cast<const LinePoint*>(strip.points);
         const std::uint32_t last = strip.count - 1;
         const bool backwards = ends[i] % 2 == 1;
-        if (i == 0) set_point(columns, place++, points[backwards ? last : 0], 0);
-        for (std::uint32_t k = 1; k <= last; ++k)
-            if (backwards)
-                set_point(columns, place++, points[last - k], points[last - k + 1].slope);
-            else
-                set_point(columns, place++, points[k], points[k].slope);
-    }
-}
-
-/// Where a line crosses an edge, both triangles say; in meshes that are wild they differ.
-void close_line(std::uint32_t count, const LineColumns& c) {
-    for (float* column : {c.x, c.y, c.z})
-        column[count - 1] = column[0];
-}
-
-void finish(const ExtractorData& data, const LineRules& rules, const Polyline& p, bool has_exact,
-            LineColumns& columns, LinePoint* points) {
-    const Eigen::Vector3d centre = data.centre - data.origin;
-    fastest<RedrawLoops>().finish_line(
-        rules, {p.count, p.closed, has_exact, p.length, p.strength, p.slope}, columns,
-        centre.data(), data.diagonal, reinterpret_cast<float*>(points));
-}
-
-/// Goes from knot to knot along a part of a whole line; visit(point, value) is called for each
-/// point.
-template <class Value, class Visit>
-void interpolate(const TracedLines& traced, const TracedLines::Line& line, Value value,
-                 Visit visit) {
-    const std::uint32_t* ends = traced.ends.data() + line.first_end;
-    const TracedLines::Knot* knots = traced.knots.data() + line.first_knot;
-    visit(0, knots[0].*value);
-    std::size_t place = 1;
-    for (std::uint32_t i = 0; i < line.end_count; ++i) {
-        const std::uint32_t segments = line.strips[ends[i] / 2].count - 1;
-        const float from = knots[i].*value, step = (knots[i + 1].*value - from) / float(segments);
-        for (std::uint32_t k = 1; k < segments; ++k)
-            visit(place++, from + float(k) * step);
-        visit(place++, knots[i + 1].*value);  // exactly: where it is 0, a line has faded
-    }
-}
-
-/// Polylines of the points between hairpins.
-void cut(const LineRules& rules, const LineColumns& c, const Polyline& whole,
-         const std::vector<Hairpins::Range>& ranges, std::vector<Polyline>& parts) {
-    for (const Hairpins::Range& range : ranges) {
-        Polyline p = whole;
-        p.first = whole.first + range.begin;
-        p.count = range.end - range.begin;
-        p.closed = false;
-        p.length = p.strength = 0;
-        for (std::uint32_t i = range.begin + 1; i < range.end; ++i) {
-            const float length =
-                length_of({c.x[i] - c.x[i - 1], c.y[i] - c.y[i - 1], c.z[i] - c.z[i - 1]});
-            p.length += length;
-            p.strength += (c.gradient[i - 1] + c.gradient[i]) / 2 * length;
+        const LinePoint& first = points[backwards ? last : 0];
+        if (i == 0)
+            *to++ = first;
+        else if (std::signbit(first.gradient))  // of a hollow edge, both of whose ends say so
+            to[-1].gradient = first.gradient;
+        if (!backwards) {
+            to = std::copy(points + 1, points + strip.count, to);
+            continue;
         }
-        if (accepts(rules, p)) parts.push_back(p);
+        for (std::uint32_t k = last; k-- > 0; ++to) {
+            *to = points[k];
+            to->weight = points[k + 1].weight;
+        }
     }
+}
+
+/// From 0 at a threshold to 1 at (1 + fading) times it.
+float above(float value, float threshold, const LineRules& rules) {
+    return rise(value, threshold, threshold * (1 + rules.fading));
+}
+
+/// Weights and opacities by the mean slopes of the segments at points. Of a line that only just
+/// passes the tests on whole lines hardly anything is seen, so that it does not jump into the
+/// picture when the view turns a little further.
+void weigh(const LineRules& rules, const Polyline& p, LinePoint* points) {
+    const float whole = std::min({above(p.slope, rules.line_slope, rules),
+                                  above(p.length, rules.least_length, rules),
+                                  above(p.strength, rules.least_strength, rules)});
+    const std::uint32_t last = p.count - 1;
+    const float first_slope = points[1].weight, last_slope = points[last].weight;
+    points[0].weight = p.closed ? last_slope : first_slope;
+    for (std::uint32_t i = 0; i <= last; ++i) {
+        const float next = i < last ? points[i + 1].weight : p.closed ? first_slope : last_slope;
+        const float slope = (points[i].weight + next) / 2;
+        points[i].opacity *= whole * above(slope, rules.segment_slope, rules);
+        points[i].weight = std::clamp((slope - rules.segment_slope) / rules.full_slope, 0.f, 1.f);
+    }
+}
+
+/// Weights and opacities, of which the last four numbers of a point are the second and the last.
+void smooth_looks(const Polyline& p, LinePoint* points) {
+    smooth_binomially<LineEnd::Repeated>(
+        p.count, p.closed, kTaperingPasses, [&](std::size_t i) { return four_of(points[i], 2); },
+        [&](std::size_t i, const FourOfPoint& v) {
+            points[i].weight = v[1];
+            points[i].opacity = v[3];
+        });
+}
+
+/// Lets an open end run out over `length`; `step` leads from it to the inside.
+void fade_end(std::uint32_t count, LinePoint* end, int step, float length) {
+    float distance = 0;
+    for (std::uint32_t i = 0; i < count && distance < length; ++i, end += step) {
+        if (i > 0) distance += length_of(end->position - end[-step].position);
+        end->opacity *= std::min(distance / length, 1.f);
+    }
+}
+
+/// Weights and opacities of a line from slopes and from the fading of its crossings.
+void taper(const LineRules& rules, const Polyline& p, LinePoint* points) {
+    LinePoint& last = points[p.count - 1];
+    // Where nothing is seen of the end itself, the line has faded before.
+    const bool fades = !p.closed && rules.end_length > 0,
+               first_fades = fades && points->opacity > 0, last_fades = fades && last.opacity > 0;
+    weigh(rules, p, points);
+    smooth_looks(p, points);
+    if (first_fades) fade_end(p.count, points, 1, rules.end_length);
+    if (last_fades) fade_end(p.count, &last, -1, rules.end_length);
+}
+
+/// The points [begin, begin + count) of a line.
+Polyline cut(const LinePoint* points, const Polyline& whole, std::size_t begin, std::size_t count) {
+    Polyline p = whole;
+    p.first = whole.first + std::uint32_t(begin);
+    p.count = std::uint32_t(count);
+    p.closed = false;
+    p.length = p.strength = 0;
+    for (std::size_t i = begin + 1; i < begin + count; ++i) {
+        const float length = length_of(points[i].position - points[i - 1].position);
+        p.length += length;
+        p.strength += (points[i - 1].gradient + points[i].gradient) / 2 * length;
+    }
+    return p;
+}
+
+/// Lets a part of a whole line fade at hairpins, and cuts it where it goes.
+void cut_at_hairpins(const LineRules& rules, const Polyline& p, FinishingThread& thread,
+                     LinePoint* points) {
+    if (!find_hairpins(points, p.count, rules.kernel_size, thread)) return;
+    const std::vector<float>& passes = thread.hairpins.passes;
+    fade_at_hairpins(passes, thread.clear, points);
+    if (std::all_of(passes.begin(), passes.end(), [](float v) { return v > 0; })) return;
+    thread.cut_lines.push_back(p.first);
+    const auto is_in = [&](std::size_t i) { return passes[i] > 0; };
+    for_each_run(p.count, false, is_in, [&](std::size_t begin, std::size_t count) {
+        if (count < 2) return;
+        const Polyline part = cut(points, p, begin, count);
+        if (accepts(rules, part)) thread.cut_parts.push_back(part);
+    });
 }
 
 /// Weights become the mean slopes of a part of a whole line, and opacities what is seen of it.
-void finish_part(const TracedLines& traced, const TracedLines::Line& line, const LineColumns& c,
-                 FinishingThread& thread) {
-    using Knot = TracedLines::Knot;
-    interpolate(traced, line, &Knot::slope, [&](std::size_t i, float v) { c.weight[i] = v; });
-    interpolate(traced, line, &Knot::opacity, [&](std::size_t i, float v) { c.opacity[i] *= v; });
-    const Polyline& p = line.polyline;
-    if (line.rules->cut_by_convex()) return;
-    if (!thread.hairpins.find(c, p.count, line.rules->kernel_size)) return;
-    interpolate(traced, line, &Knot::opacity, [&](std::size_t i, float v) { c.spare[i] = v; });
-    thread.hairpins.fade(c.spare, c.opacity);
-    const std::vector<Hairpins::Range>& ranges = thread.hairpins.ranges();
-    if (ranges.size() == 1 && ranges[0].end - ranges[0].begin == p.count) return;
-    cut(*line.rules, c, p, ranges, thread.cut_parts);
-    thread.cut_lines.push_back(p.first);
+void finish_part(const TracedLines& traced, const TracedLines::Line& line, FinishingThread& thread,
+                 LinePoint* points) {
+    thread.clear.resize(line.polyline.count);
+    std::size_t place = 0;
+    const auto set_next = [&](float slope, float opacity) {
+        points[place].weight = slope;
+        points[place].opacity *= opacity;
+        thread.clear[place++] = opacity;
+    };
+    const TracedLines::Knot* from = traced.knots.data() + line.first_knot;
+    set_next(from->slope, from->opacity);
+    for (std::uint32_t i = 0; i < line.end_count; ++i, ++from) {
+        const std::uint32_t end = traced.ends[line.first_end + i];
+        const auto segments = float(line.strips[end / 2].count - 1);
+        const float slope_step = (from[1].slope - from->slope) / segments,
+                    opacity_step = (from[1].opacity - from->opacity) / segments;
+        for (float k = 1; k < segments; ++k)
+            set_next(from->slope + k * slope_step, from->opacity + k * opacity_step);
+        set_next(from[1].slope, from[1].opacity);  // exactly: where it is 0, a line has faded
+    }
 }
 
 /// A traced line, to its place.
 void finish_line(const ExtractorData& data, const TracedLines& traced,
-                 const TracedLines::Line& line, std::size_t units, FinishingThread& thread,
-                 LinePoint* points) {
+                 const TracedLines::Line& line, FinishingThread& thread, LinePoint* points) {
     const Polyline& p = line.polyline;
-    LineColumns columns = make_columns(thread.columns, units);
-    collect_points(traced, line, columns);
-    if (p.closed) close_line(p.count, columns);
-    if (line.rules->whole) finish_part(traced, line, columns, thread);
-    finish(data, *line.rules, p, line.has_exact, columns, points);
+    const LineRules& rules = *line.rules;
+    collect_points(traced, line, points);
+    // Where a line crosses an edge, both triangles say; in meshes that are wild they differ.
+    if (p.closed) points[p.count - 1].position = points[0].position;
+    if (rules.whole) finish_part(traced, line, thread, points);
+    if (!rules.cut_by_convex()) cut_at_hairpins(rules, p, thread, points);
+    if (rules.use_slope) {
+        taper(rules, p, points);
+    } else {
+        for (std::uint32_t i = 0; i < p.count; ++i)
+            points[i].weight = std::exchange(points[i].opacity, 1.f);
+        smooth_looks(p, points);
+    }
+    smooth_positions(p, points, rules.smoothing_passes);
+    for (std::uint32_t i = 0; i < p.count; ++i)
+        points[i].position = data.in_line_set(points[i].position);
 }
 
 /// Leaves out points that are of no line. Lines are in the order of their points.
@@ -276,16 +272,11 @@ void finish_lines(const ExtractorData& data, const TracedLines& traced, Finishin
                   LineSet& lines) {
     lines.points.resize(traced.point_count);
     lines.lines.resize(traced.lines.size());
-    std::uint32_t longest = 0;
-    for (const TracedLines::Line& line : traced.lines)
-        longest = std::max(longest, line.polyline.count);
-    const std::size_t units = column_units(longest);
     const std::size_t count = traced.lines.size();
     const std::size_t blocks = (count + kLinesAtOnce - 1) / kLinesAtOnce;
     const unsigned workers = traced.point_count < kLeastParallelPoints ? 1 : workers_for(blocks);
     if (memory.size() < workers) memory.resize(workers);
     for (FinishingThread& thread : memory) {
-        if (thread.columns.size() < kColumns * units) thread.columns.resize(kColumns * units);
         thread.cut_lines.clear();
         thread.cut_parts.clear();
     }
@@ -294,8 +285,7 @@ void finish_lines(const ExtractorData& data, const TracedLines& traced, Finishin
             for (std::size_t i = block * kLinesAtOnce;
                  i < std::min(count, (block + 1) * kLinesAtOnce); ++i) {
                 const TracedLines::Line& line = traced.lines[i];
-                finish_line(data, traced, line, units, memory[worker],
-                            &lines.points[line.polyline.first]);
+                finish_line(data, traced, line, memory[worker], &lines.points[line.polyline.first]);
                 lines.lines[i] = line.polyline;
             }
     });

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "rules/line_acceptance.h"
 #include "system/chains.h"
 
 namespace laplacian_lines {
@@ -45,7 +44,7 @@ private:
 
     TracedLines::Line begin_line() const {
         TracedLines::Line line{
-            {}, std::uint32_t(traced_.ends.size()), 0, 0, false, &rules_, strips_.data()};
+            {}, std::uint32_t(traced_.ends.size()), 0, 0, &rules_, strips_.data()};
         line.polyline.first = traced_.point_count;
         line.polyline.kind = rules_.kind;
         line.polyline.count = 1;
@@ -54,7 +53,6 @@ private:
 
     void enter(std::uint32_t end, TracedLines::Line& line) {
         const JoinedStrip& strip = strips_[end / 2];
-        line.has_exact |= strip.exact;
         traced_.ends.push_back(end);
         Polyline& p = line.polyline;
         p.count += strip.count - 1;

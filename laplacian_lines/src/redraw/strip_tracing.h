@@ -15,7 +15,6 @@ struct TracedLines {
         Polyline polyline;  ///< with its place in the line set
         std::uint32_t first_end, end_count;
         std::uint32_t first_knot;  ///< of parts of whole lines
-        bool has_exact;            ///< as in LineSums
         const LineRules* rules;
         const JoinedStrip* strips;
     };
@@ -42,6 +41,12 @@ struct PartMemory {
     std::vector<LinePiece> pieces;
     LinePartFinder finder;
 };
+
+/// The rules on whole lines.
+inline bool accepts(const LineRules& rules, const Polyline& line) {
+    return line.length >= rules.least_length && line.strength >= rules.least_strength &&
+           (!rules.use_slope || line.slope >= rules.line_slope);
+}
 
 /// Appends the lines that strips make, or by LineRules::whole their parts that are drawn, and that
 /// the rules on whole lines accept. Visits all strips.

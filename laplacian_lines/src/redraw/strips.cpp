@@ -5,6 +5,7 @@
 
 #include "system/parallel.h"
 #include "system/simd_sets.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
@@ -100,21 +101,6 @@ void append(const Strip& strip, const StripPoint* points, std::vector<JoinedStri
     }
 }
 
-/// Asks for what lies at the edges of later strips, which are anywhere.
-template <class Visit>
-void for_each_strip(const FoundStrips& found, unsigned kind,
-                    const std::vector<std::uint32_t>& end_at_edge, Visit visit) {
-    for (const ChunkOfStrips& chunk : found.chunks) {
-        const StripOutput& thread = found.threads[chunk.thread].output[kind];
-        for (std::uint32_t i = chunk.begin[kind]; i < chunk.end[kind]; ++i) {
-            const Strip& later = thread.strips[std::min(i + kStripsAhead, chunk.end[kind] - 1)];
-            for (const std::uint32_t edge : later.edges)
-                if (edge < Strip::kContinued) __builtin_prefetch(&end_at_edge[edge], 1);
-            visit(thread.strips[i], thread.points);
-        }
-    }
-}
-
 }  // namespace
 
 void find_strips(const ExtractorData& data, const ExtractionTask& task, FoundStrips& found) {
@@ -139,7 +125,36 @@ void find_strips(const ExtractorData& data, const ExtractionTask& task, FoundStr
     even_out(task, found);
 }
 
-void join_strips(const FoundStrips& found, unsigned kind, std::uint32_t border_edge_count,
+void append_horizon(const EdgeHorizon& horizon, const LocalEye& eye, unsigned kind,
+                    FoundStrips& found) {
+    horizon.evaluate(eye.eye, eye.w, found.facing);
+    const auto faces = [&](std::uint32_t triangle) { return found.facing[triangle] >= 0; };
+    const bool is_outside = !may_be_within(eye);
+    FindingThread& thread = found.threads[0];
+    StripOutput& output = thread.output[kind];
+    ChunkOfStrips chunk{};
+    chunk.begin[kind] = output.strip_count;
+    for (const EdgeHorizon::Edge& edge : horizon.edges) {
+        if (faces(edge.triangles[0]) == (faces(edge.triangles[1]) != edge.is_reversed)) continue;
+        reserve(thread, kind, output.strip_count, output.point_count);
+        const Eigen::Vector3f ends[2] = {horizon.positions[edge.vertices[0]],
+                                         horizon.positions[edge.vertices[1]]};
+        output.strips[output.strip_count++] = {output.point_count,
+                                               2,
+                                               {edge.vertices[0], edge.vertices[1]},
+                                               length_of(ends[1] - ends[0]),
+                                               0,
+                                               0,
+                                               0};
+        for (const Eigen::Vector3f& p : ends)
+            output.points[output.point_count++] = {
+                {p.x(), p.y(), p.z()}, 0, edge.is_hollow && is_outside ? -0.f : 0.f, 1};
+    }
+    chunk.end[kind] = output.strip_count;
+    found.chunks.push_back(chunk);
+}
+
+void join_strips(const FoundStrips& found, unsigned kind, std::uint32_t place_count,
                  JoiningMemory& memory) {
     std::size_t strips = 0;
     for (const ChunkOfStrips& chunk : found.chunks)
@@ -147,24 +162,17 @@ void join_strips(const FoundStrips& found, unsigned kind, std::uint32_t border_e
     memory.strips[kind].clear();
     if (strips == 0) return;
     memory.strips[kind].reserve(strips);
-    memory.end_at_edge.assign(border_edge_count, kNoEnd);
+    memory.end_at_edge.assign(place_count, kNoEnd);
     std::uint32_t loop = kNoEnd;
-    for_each_strip(found, kind, memory.end_at_edge,
-                   [&](const Strip& strip, const StripPoint* points) {
-                       append(strip, points, memory.strips[kind], memory, loop);
-                   });
-}
-
-void find_open_ends(const FoundStrips& found, unsigned kind, JoiningMemory& memory) {
-    memory.open_ends.clear();
-    std::uint32_t end = 0;
-    for_each_strip(found, kind, memory.end_at_edge, [&](const Strip& strip, const StripPoint*) {
-        const JoinedStrip& joined = memory.strips[kind][end / 2];
-        for (unsigned side : {0u, 1u})
-            if (joined.links[side] == kNoEnd && strip.edges[side] < Strip::kContinued)
-                memory.open_ends.push_back({strip.edges[side], end + side});
-        end += 2;
-    });
+    for (const ChunkOfStrips& chunk : found.chunks) {
+        const StripOutput& thread = found.threads[chunk.thread].output[kind];
+        for (std::uint32_t i = chunk.begin[kind]; i < chunk.end[kind]; ++i) {
+            const Strip& later = thread.strips[std::min(i + kStripsAhead, chunk.end[kind] - 1)];
+            for (const std::uint32_t edge : later.edges)  // asks for what lies anywhere
+                if (edge < Strip::kContinued) __builtin_prefetch(&memory.end_at_edge[edge], 1);
+            append(thread.strips[i], thread.points, memory.strips[kind], memory, loop);
+        }
+    }
 }
 
 }  // namespace laplacian_lines

@@ -29,40 +29,35 @@ struct ChunkOfStrips {
 struct FoundStrips {
     std::vector<FindingThread> threads;
     std::vector<ChunkOfStrips> chunks;
+    std::vector<float> facing;  ///< of the horizon's triangles
 };
 
 /// Finds all strips of a view on several threads. What is found, and its order, does not depend on
 /// their number.
 void find_strips(const ExtractorData& data, const ExtractionTask& task, FoundStrips& found);
 
+/// Appends the edges of the horizon: a strip of a kind for each, that ends at vertices instead of
+/// edges. Both points of a hollow one, which its own body hides, have -0 as gradient.
+void append_horizon(const EdgeHorizon& horizon, const LocalEye& eye, unsigned kind,
+                    FoundStrips& found);
+
 /// A strip and what goes on at its ends, see chains.h.
 struct JoinedStrip {
     const StripPoint* points;
     std::uint32_t count;
     float length, strength, slope, concave;
-    bool exact = false;                         ///< as LineSums::has_exact
     bool visited = false;                       ///< by trace_lines()
     std::uint32_t links[2] = {kNoEnd, kNoEnd};  ///< the end that goes on
-};
-
-/// Where nothing goes on at an edge that others share.
-struct OpenEnd {
-    std::uint32_t edge;
-    std::uint32_t end;  ///< of a strip
 };
 
 struct JoiningMemory {
     std::vector<JoinedStrip> strips[kStripKindCount];
     std::vector<std::uint32_t> end_at_edge;  ///< that waits there, or kNoEnd
-    std::vector<OpenEnd> open_ends;
 };
 
 /// Replaces memory.strips[kind] by the strips of that kind, joined where two of them end at an
-/// edge.
-void join_strips(const FoundStrips& found, unsigned kind, std::uint32_t border_edge_count,
+/// edge, or at a vertex of `horizon`. `place_count`: of those.
+void join_strips(const FoundStrips& found, unsigned kind, std::uint32_t place_count,
                  JoiningMemory& memory);
-
-/// Replaces memory.open_ends by what join_strips() has left over of this kind.
-void find_open_ends(const FoundStrips& found, unsigned kind, JoiningMemory& memory);
 
 }  // namespace laplacian_lines

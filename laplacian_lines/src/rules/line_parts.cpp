@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rules/opacity.h"
-#include "rules/runs.h"
+#include "rules/thresholds.h"
+#include "system/chains.h"
 
 namespace laplacian_lines {
 namespace {

@@ -27,8 +27,7 @@ struct LineRules {
     bool leave_out_plain = false;
     /// Skip triangles with n·l < 0 at all corners, where contour_clearance leaves no opacity.
     bool leave_out_away = false;
-    bool leave_out_coarse = false;  ///< nothing in coarse triangles, see coarseness.h
-    bool use_slope = false;         ///< false: no slopes are computed or tested, nor tell the width
+    bool use_slope = false;  ///< false: no slopes are computed or tested, nor tell the width
     float segment_slope = 0, line_slope = 0, full_slope = 1;
     float least_strength = kAnything;
     float least_length = kAnything;  ///< D

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rules/runs.h"
+#include "system/chains.h"
 #include "visibility/sight_pieces.h"
 
 namespace laplacian_lines {

@@ -248,9 +248,10 @@ private:
         if (last < 2) return;
         smooth_binomially(
             points.size(), line.closed, smoothing_passes(options_.line_smoothing),
-            [&](std::size_t i) -> Vector3d& { return points[i].position; },
-            [&](std::size_t i) {
-                return points[i].is_exact || (!line.closed && (i == 0 || i == last));
+            [&](std::size_t i) { return points[i].position; },
+            [&](std::size_t i, const Vector3d& p) {
+                const bool is_end = !line.closed && (i == 0 || i == last);
+                if (!points[i].is_exact && !is_end) points[i].position = p;
             });
     }
 

@@ -41,16 +41,13 @@ struct ExtractionTask {
     } kinds[kStripKindCount];
 };
 
-/// A point of a strip; local position.
+/// A point of a strip, as LinePoint; local position.
 struct StripPoint {
     float position[3];
-    float gradient;  ///< ‖∇I‖
     float slope;     ///< of the segment that ends here; 0 at the first point
+    float gradient;  ///< ‖∇I‖
     float opacity;   ///< less than 1 where the crossing alone asks for fading
 };
-
-/// Slope of a segment that no smoothing may move.
-constexpr float kExactSegment = 1;
 
 /// A piece of a line within a cluster, with the positive side on its left.
 struct Strip {
@@ -149,7 +146,6 @@ struct CrossingMemory {
     alignas(64) float concave[kPlaces];        ///< of whole lines: −l·Sl/‖w‖, see LinePiece
     std::uint64_t accepted[kPlaces / 64 + 1];  ///< a bit for each
     alignas(64) float points[kPlaces][4];  ///< with ‖∇I‖ in the last place, as in StripPoint
-    alignas(64) float gradients[kPlaces][4];
 };
 
 /// Segments of one function in a batch.
@@ -188,26 +184,6 @@ struct SimdMemory {
     ApparentMemory apparent;
 };
 
-/// The points of a line, a column for each number, on cache units; with a place before the first
-/// and kColumnMargin places after the last. finish_line() may swap columns.
-struct LineColumns {
-    float *x, *y, *z;  ///< local
-    float* gradient;
-    float* weight;   ///< of the segment that ends here, the slope
-    float* opacity;  ///< of the crossing alone
-    float* spare;
-};
-constexpr unsigned kColumnMargin = 31;
-
-/// What rules on whole lines look at.
-struct LineSums {
-    std::uint32_t count;  ///< points
-    bool closed;
-    /// Segments of the slope kExactSegment, in kinds that do not use slopes, stay where they are.
-    bool has_exact;
-    float length, strength, slope;
-};
-
 /// How the kinds of one of kStripPasses are found.
 struct StripFunctions {
     /// Writes to `kept` those of the clusters [begin, end), a multiple of kFormGroup apart from the
@@ -222,10 +198,6 @@ struct StripFunctions {
 /// See simd_sets.h.
 struct RedrawLoops {
     StripFunctions passes[kStripPassCount];
-    /// Weights, opacities and smoothed positions of a line, written as LinePoint's six floats in
-    /// mesh coordinates. Overwrites the columns.
-    void (*finish_line)(const LineRules& rules, const LineSums& line, LineColumns& columns,
-                        const double centre[3], double diagonal, float* points);
 };
 
 }  // namespace laplacian_lines

@@ -114,32 +114,9 @@ static inline float dot3(const float* a, const float* b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Places in crossed_sides() of two bits: the first one, the second one, in cyclic order.
-struct CrossedPair {
-    bool any;
-    unsigned first, second;
-};
-static inline CrossedPair pair_of(unsigned sides) {
-    switch (sides) {
-        case 3:
-            return {true, 0, 1};
-        case 5:
-            return {true, 2, 0};
-        case 6:
-            return {true, 1, 2};
-        default:
-            return {false, 0, 0};
-    }
-}
-
-/// The vertices of a cluster for which holds(i) is in lanes from i on.
-template <class Holds>
-static inline VertexBits vertices_where(const Cluster& cluster, const Holds& holds) {
-    VertexBits bits{{0, 0}};
-    for (unsigned i = 0; i < form_groups(cluster) * kFormGroup; i += kLanes)
-        bits.words[i / 64] |= std::uint64_t(bits_of(holds(i))) << i % 64;
-    return bits;
-}
+/// The side that a line does not cross, by crossed_sides(); kNoLine unless it crosses two.
+constexpr std::uint8_t kNoLine = 3;
+constexpr std::uint8_t kUncrossed[8] = {kNoLine, kNoLine, kNoLine, 2, kNoLine, 1, 0, kNoLine};
 
 /// Of crossings. Means along whole lines are asked for the rest.
 static inline float least_curvature(const LineRules& rules) {
@@ -153,7 +130,7 @@ public:
     ApparentTriangles(const LineRules& rules, const ClusterInSlot& place,
                       const ApparentMemory& memory)
         : cluster_(place.cluster), slot_(place.slot), triangles_(triangles_of(place)) {
-        __builtin_memset(sides_, 0, sizeof sides_);
+        __builtin_memset(uncrossed_, kNoLine, sizeof uncrossed_);
         find_wanted(rules, place, memory);
         find_crossed(memory);
     }
@@ -161,9 +138,8 @@ public:
     void append(ActiveTriangles& active) {
         for (unsigned place = 0; place < count_; ++place) {
             const unsigned i = listed_[place];
-            const CrossedPair pair = pair_of(sides_[i]);
-            if (!pair.any) continue;
-            unsigned first = i, entry = pair.first;
+            if (uncrossed_[i] == kNoLine) continue;
+            unsigned first = i, entry = (uncrossed_[i] + 1) % 3;
             for (;;) {  // back to where the line begins, or once round
                 const unsigned before = across(first, entry);
                 if (before == kNoNeighbour || before == i) break;
@@ -179,20 +155,19 @@ private:
     void find_wanted(const LineRules& rules, const ClusterInSlot& place,
                      const ApparentMemory& memory) {
         const float* q = memory.q + slot_ * kClusterVertices;
-        const VertexBits strong = vertices_where(
-            cluster_, [&](unsigned i) { return load(q + i) >= least_curvature(rules); });
-        if ((strong.words[0] | strong.words[1]) == 0) return;
+        const BelowBound weak = below(q, form_groups(cluster_), least_curvature(rules));
+        if (weak.all) return;
         VertexSigns signs;
-        signs.set(kStrong, strong);
-        signs.set(kSeen, vertices_where(cluster_, [&](unsigned i) { return load(q + i) > 0; }));
+        signs.set(kWeak, weak.bits);
+        signs.set(kUnseen, below(q, form_groups(cluster_), FLT_MIN).bits);
         const unsigned char* corners = place.memory + place.layout.corners;
         for (unsigned g = 0; g < mask_groups(cluster_); ++g, corners += 3 * kMaskGroup) {
             const CornerLookup a(corners, signs), b(corners + kMaskGroup, signs),
                 c(corners + 2 * kMaskGroup, signs);
-            std::uint64_t wanted = (a(kStrong) | b(kStrong) | c(kStrong)) &  //
-                                   (a(kSeen) & b(kSeen) & c(kSeen)) & existing(g);
-            if (rules.leave_out_plain) wanted &= ~cluster_.plain[g];
-            for (; wanted; wanted &= wanted - 1)
+            std::uint64_t unwanted = (a(kWeak) & b(kWeak) & c(kWeak)) |  //
+                                     a(kUnseen) | b(kUnseen) | c(kUnseen);
+            if (rules.leave_out_plain) unwanted |= cluster_.plain[g];
+            for (std::uint64_t wanted = ~unwanted & existing(g); wanted; wanted &= wanted - 1)
                 listed_[count_++] =
                     std::uint8_t(g * kMaskGroup + unsigned(__builtin_ctzll(wanted)));
         }
@@ -203,7 +178,7 @@ private:
         return rest < kMaskGroup ? (std::uint64_t(1) << rest) - 1 : ~std::uint64_t(0);
     }
 
-    /// Keeps the listed triangles that lines pass, and notes by which sides.
+    /// Keeps the listed triangles that lines pass, and notes which sides they do not cross.
     void find_crossed(const ApparentMemory& memory) {
         const float(*vectors)[4] = memory.vectors + slot_ * kClusterVertices;
         for (unsigned i = count_; i < count_ + kLanes; ++i)  // something valid
@@ -221,9 +196,9 @@ private:
             const unsigned lanes = count_ - first < kLanes ? count_ - first : kLanes;
             for (unsigned lane = 0; lane < lanes; ++lane) {
                 const unsigned triangle = listed_[first + lane];
-                sides_[triangle] = std::uint8_t(sides[lane]);
+                uncrossed_[triangle] = kUncrossed[sides[lane]];
                 listed_[kept] = std::uint8_t(triangle);
-                kept += sides[lane] != 0;
+                kept += uncrossed_[triangle] != kNoLine;
             }
         }
         count_ = kept;
@@ -234,7 +209,7 @@ private:
         for (;;) {
             const unsigned exit = other_side(triangle, entry);
             write(triangle, entry, exit, active);
-            sides_[triangle] = 0;
+            uncrossed_[triangle] = kNoLine;
             const unsigned next = across(triangle, exit);
             if (next == kNoNeighbour) return;
             entry = side_behind(triangle, exit, next);
@@ -262,7 +237,7 @@ private:
     /// The listed triangle of this cluster behind a side, or kNoNeighbour.
     unsigned across(unsigned triangle, unsigned side) const {
         const unsigned next = triangle_at(triangles_, triangle).neighbours[side];
-        return next < cluster_.triangle_count && pair_of(sides_[next]).any ? next : kNoNeighbour;
+        return next < cluster_.triangle_count && uncrossed_[next] != kNoLine ? next : kNoNeighbour;
     }
     /// The neighbour's name of the side that it shares.
     unsigned side_behind(unsigned triangle, unsigned side, unsigned neighbour) const {
@@ -271,8 +246,7 @@ private:
         return corners[0] == end ? 0 : corners[1] == end ? 1 : 2;
     }
     unsigned other_side(unsigned triangle, unsigned side) const {
-        const CrossedPair pair = pair_of(sides_[triangle]);
-        return pair.first == side ? pair.second : pair.first;
+        return 3 - side - uncrossed_[triangle];
     }
 
     const Cluster& cluster_;
@@ -280,8 +254,8 @@ private:
     const ClusterTriangles triangles_;
     unsigned count_ = 0;
     std::uint8_t listed_[kClusterTriangles + kLanes];
-    std::uint8_t sides_[kClusterTriangles];
-    static constexpr unsigned kStrong = 0, kSeen = 1;  // sets of signs
+    std::uint8_t uncrossed_[kClusterTriangles];
+    static constexpr unsigned kWeak = 0, kUnseen = 1;  // sets of signs
 };
 
 /// Where crossings are, which are accepted, their opacities, and q1 there as the gradient.

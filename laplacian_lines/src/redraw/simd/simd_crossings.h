@@ -154,7 +154,7 @@ static inline EdgePoints find_edge_points(const Batch& batch, const float eye_of
     return points;
 }
 
-/// Positions, gradients and n·light of crossings [0, count), as rows and as columns.
+/// Positions, gradients and n·light of crossings [0, count).
 static inline void find_points(const Batch& batch, const float eye_of_light[4], CrossingMemory& m,
                                std::size_t count) {
     for (std::size_t i = 0; i < count; i += kLanes) {
@@ -166,7 +166,6 @@ static inline void find_points(const Batch& batch, const float eye_of_light[4], 
         store(m.lit + i, g[3]);
         store(m.gradient + i, p[3]);
         store_as_rows(p, [&](unsigned lane) { return m.points[i + lane]; });
-        store_as_rows(g, [&](unsigned lane) { return m.gradients[i + lane]; });
     }
 }
 
@@ -186,15 +185,6 @@ static inline void accept(Ints accepted, CrossingMemory& m, std::size_t i) {
         m.accepted[i / 64] |= bits << i % 64;
 }
 
-/// Columns of gradients that a kind has changed, as rows.
-static inline void store_gradients(CrossingMemory& m, std::size_t count) {
-    for (std::size_t i = 0; i < count; i += kLanes) {
-        const Vectors g = load_vectors(m.g, i);
-        Floats rows[4] = {g.x, g.y, g.z, load(m.lit + i)};
-        store_as_rows(rows, [&](unsigned lane) { return m.gradients[i + lane]; });
-    }
-}
-
 /// From crossings [i, i + kLanes) to an eye or light.
 static inline Vectors towards(const float eye[4], const CrossingMemory& m, std::size_t i) {
     const Vectors e = {Floats{} + eye[0], Floats{} + eye[1], Floats{} + eye[2]};
@@ -202,7 +192,7 @@ static inline Vectors towards(const float eye[4], const CrossingMemory& m, std::
 }
 
 /// What the slope of a segment is, of whole lines less than 0 where ∇f·d > 0: with ∇f of the linear
-/// interpolant and the vectors d that a kind's test leaves in CrossingMemory::gradients,
+/// interpolant and the vectors d that a kind's test leaves in CrossingMemory::g,
 enum class SegmentSlope {
     Scaled,     ///< ‖∇f‖ times slope_scale
     Along,      ///< −∇f·d, a change in a squared length, times h_e, to the power 1.5

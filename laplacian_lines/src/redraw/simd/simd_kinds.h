@@ -25,10 +25,7 @@ struct Contours {
 
     static inline void evaluate(const ExtractionTask&, const ClusterInSlot&, float*) {}
 
-    static inline std::uint64_t unwanted(const LineRules& rules, const Cluster& cluster,
-                                         unsigned group) {
-        return rules.leave_out_coarse ? cluster.coarse[group] : 0;
-    }
+    static inline std::uint64_t unwanted(const LineRules&, const Cluster&, unsigned) { return 0; }
 
     static inline const float* source(const ExtractionTask& task) { return task.eye; }
 
@@ -173,7 +170,6 @@ struct PhoticExtrema : FacingKind {
             const Floats g = load(m.gradient + i), factor = 1 / (g * g * g);
             store_vectors(load_vectors(m.g, i) * factor, m.g, i);
         }
-        store_gradients(m, count);
     }
 };
 
@@ -216,7 +212,6 @@ struct RadialZeros : FacingKind {
             store_vectors(v * factor, m.g, i);
             accept(cosine >= rules.least_facing, m, i);
         }
-        store_gradients(m, count);
     }
 };
 

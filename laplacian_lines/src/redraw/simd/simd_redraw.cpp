@@ -2,7 +2,6 @@
 #include <initializer_list>
 
 #include "redraw/simd/simd_apparent.h"
-#include "redraw/simd/simd_finishing.h"
 #include "system/simd_sets.h"
 
 namespace laplacian_lines {
@@ -197,8 +196,7 @@ const RedrawLoops& functions_of<RedrawLoops, InstructionSet::SIMD_SET>() {
         {{cull<StandardKinds>, extract_strips<StandardKinds>},
          {cull<SuggestiveKinds>, extract_strips<SuggestiveKinds>},
          {cull<PhoticKinds>, extract_strips<PhoticKinds>},
-         {cull<ApparentKinds>, extract_apparent_strips}},
-        finish_line};
+         {cull<ApparentKinds>, extract_apparent_strips}}};
     return functions;
 }
 

@@ -95,7 +95,7 @@ static inline void collect_corners(const Batch& batch, const ActiveTriangles& ac
                                    const float* function, const CrossingMemory& m, SegmentMemory& s,
                                    unsigned count) {
     for (unsigned i = 0; i < count; i += 4) {
-        Float4 u[4], v[4], g[4];
+        Float4 u[4], v[4];
         for (unsigned k = 0; k < 4; ++k) {
             const unsigned place = s.triangle[i + k];
             const ActiveTriangle& t = active.triangles[place];
@@ -104,19 +104,16 @@ static inline void collect_corners(const Batch& batch, const ActiveTriangles& ac
                          c = load4(records[t.third]);
             u[k] = b - a;
             v[k] = c - a;
-            const Float4 gradients = load4(m.gradients[s.begin[i + k]]) + load4(m.gradients[place]);
-            const Float4 scales = a + b + c;
-            g[k] = shuffle<0, 1, 2, 7>(gradients, scales);
+            for (int axis = 0; axis < 3; ++axis)
+                s.g[axis][i + k] = m.g[axis][s.begin[i + k]] + m.g[axis][place];
+            s.scale[i + k] = (a + b + c)[3];
             s.fu[i + k] = m.above[place] - m.below[place];
             s.fv[i + k] = function[t.third] - m.below[place];
         }
         transpose(u);
         transpose(v);
-        transpose(g);
         store_columns(u, s.u[0] + i, s.u[1] + i, s.u[2] + i);
         store_columns(v, s.v[0] + i, s.v[1] + i, s.v[2] + i);
-        store_columns(g, s.g[0] + i, s.g[1] + i, s.g[2] + i);
-        __builtin_memcpy(s.scale + i, &g[3], sizeof(Float4));
     }
 }
 
@@ -191,10 +188,11 @@ public:
     void write_all(const LineRules& rules) {
         const unsigned most_segments = rules.whole ? kSegmentsOfPiece : kBatchTriangles;
         const unsigned firsts = link();
-        unsigned written = 0;
+        __builtin_memset(written_, 0, count_);
         for (unsigned i = 0; i < firsts; ++i)
-            written += write(segments_.first[i], most_segments);
-        if (written < count_) write_loops(firsts, most_segments);
+            write(segments_.first[i], most_segments);
+        for (unsigned i = 0; i < count_; ++i)
+            if (!written_[i]) write_loop(i, most_segments);
     }
 
 private:
@@ -232,16 +230,16 @@ private:
     }
 
     void write_point(unsigned crossing, float slope, StripPoint* point) {
-        store_row(load4(crossings_.points[crossing]), point->position);  // and the gradient
+        const Float4 row = load4(crossings_.points[crossing]);
+        store_row(row, point->position);
         point->slope = slope;
+        point->gradient = row[3];
         point->opacity = crossings_.opacity[crossing];
     }
 
-    /// Writes the strips that start with a segment, each of up to `most` segments; returns the
-    /// number of their segments.
-    unsigned write(unsigned first, unsigned most) {
+    /// Writes the strips that start with a segment, each of up to `most` segments.
+    void write(unsigned first, unsigned most) {
         std::uint32_t edge = edge_to_elsewhere(triangle(first).previous);
-        unsigned written = 0;
         for (unsigned next = first; next != SegmentMemory::kNone; edge = Strip::kContinued) {
             Strip& strip = output_.strips[output_.strip_count++];
             strip.first_point = output_.point_count;
@@ -254,6 +252,7 @@ private:
             for (; next != SegmentMemory::kNone && left > 0; next = segments_.next[next], --left) {
                 write_point(segments_.triangle[next], segments_.slope[next], point++);
                 sums += load4(segments_.sums[next]);
+                written_[next] = true;
                 last = next;
             }
             strip.edges[1] = next == SegmentMemory::kNone
@@ -265,28 +264,18 @@ private:
             strip.strength = sums[1];
             strip.slope = sums[2];
             strip.concave = sums[3];
-            written += strip.point_count - 1;
         }
-        return written;
     }
 
-    /// What no strip has yet are lines that close within a cluster.
-    void write_loops(unsigned firsts, unsigned most) {
-        std::uint8_t written[kBatchTriangles];
-        __builtin_memset(written, 0, count_);
-        for (unsigned i = 0; i < firsts; ++i)
-            for (unsigned j = segments_.first[i]; j != SegmentMemory::kNone; j = segments_.next[j])
-                written[j] = 1;
-        for (unsigned i = 0; i < count_; ++i) {
-            if (written[i]) continue;
-            unsigned last = i;
-            for (written[i] = 1; segments_.next[last] != i; written[last] = 1)
-                last = segments_.next[last];
-            segments_.next[last] = SegmentMemory::kNone;  // cut open
-            Strip& first = output_.strips[output_.strip_count];
-            write(i, most);
-            first.edges[0] = output_.strips[output_.strip_count - 1].edges[1] = Strip::kClosed;
-        }
+    /// A line that closes within a cluster: what no strip has otherwise.
+    void write_loop(unsigned begin, unsigned most) {
+        unsigned last = begin;
+        while (segments_.next[last] != begin)
+            last = segments_.next[last];
+        segments_.next[last] = SegmentMemory::kNone;  // cut open
+        Strip& first = output_.strips[output_.strip_count];
+        write(begin, most);
+        first.edges[0] = output_.strips[output_.strip_count - 1].edges[1] = Strip::kClosed;
     }
 
     const std::uint32_t* border_edges_;
@@ -296,6 +285,7 @@ private:
     SegmentMemory& segments_;
     const unsigned count_;
     StripOutput& output_;
+    bool written_[kBatchTriangles];  ///< by segment
 };
 
 /// Appends the strips of a kind in a batch.
