@@ -9,7 +9,7 @@ from environment.files import cache_folder
 from environment.messages import Failure, Obstacle, run_main, say
 from environment.options import Parser
 from environment.packages import meshlab_version
-from hosts import aarch64, hosts, reach
+from hosts import hosts, reach
 
 ABOUT = f"""\
 Without options, ./test tests the core, and the plugins in the MeshLab installed here. Only tests whose names match a
@@ -23,8 +23,9 @@ FLAGS = {
     "--nightly": "everything: all tests in all hosts, long checks, large meshes, --sanitized, --threads, --reach",
     "--sanitized": "GUI tests with plugins compiled with sanitizers, without a REGEX " + " ".join(checks.GUI_TESTS),
     "--threads": "the core's tests of threads under ThreadSanitizer; REGEX is a filter of GoogleTest",
-    "--reach": "the portable plugins in MeshLabs that did not build them, the packages, the wheel, and --aarch64",
-    "--aarch64": "of --reach, only that another processor computes the same"}
+    "--reach": "the portable plugins in MeshLabs that did not build them, the packages, the wheel, --aarch64 and --windows",
+    "--aarch64": "of --reach, only that another processor computes the same",
+    "--windows": "of --reach, only that the command for Windows, run by Wine, draws the same"}
 
 
 def parse():
@@ -78,10 +79,10 @@ def main():
         return checks.test_gui(options.regex)
     if options.threads:
         return print(checks.test_threads(options.regex))
-    if not (options.host or options.checks or options.reach or options.aarch64):
+    if not (options.host or options.checks or options.reach or options.aarch64 or options.windows):
         return hosts.test_here(options.regex)
     if options.regex and not options.host:
-        raise Failure("--checks, --reach and --aarch64 take no names of tests")
+        raise Failure("--checks, --reach, --aarch64 and --windows take no names of tests")
 
     stage = Stages(options.required)
     if options.host == "all":
@@ -93,8 +94,9 @@ def main():
         checks.run_checks(stage, options.nightly)
     if options.reach:
         reach.run_stages(stage)
-    elif options.aarch64:
-        stage("aarch64", aarch64.test)
+    for name, test in reach.SYSTEMS.items():
+        if options.reach or getattr(options, name):
+            stage(name, test)
     return stage.tell()
 
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command_line.h"
 
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <algorithm>
+#include <filesystem>
 
+#include "json.h"
 #include "laplacian_lines/version.h"
 #include "mesh_reading.h"
 
@@ -17,18 +16,15 @@ namespace {
 const char* const kFormatOption = "--format";  // of a collection
 
 /// The object that the file's line of provenance begins with.
-QJsonObject provenance_of(const std::string& name) {
+Json provenance_of(const std::string& name) {
     const std::optional<std::string> read = contents_of(name);
     if (!read) refuse("\"" + name + "\" cannot be read.");
-    const QByteArray bytes = QByteArray::fromStdString(line_drawing::provenance_in(*read));
-    QJsonParseError error;
-    QJsonDocument::fromJson(bytes, &error);  // tells where it ends
-    const QJsonObject object = QJsonDocument::fromJson(bytes.left(error.offset)).object();
-    if (object.isEmpty())
+    const std::optional<Json> object = json_in(line_drawing::provenance_in(*read));
+    if (!object || object->members.empty())
         refuse("\"" + name +
                "\" does not say how it was drawn: only SVG, PDF and DXF files of version 0.3 and "
                "later do.");
-    return object;
+    return *object;
 }
 
 /// Files come from anywhere: they must not name other files.
@@ -40,14 +36,14 @@ bool is_option(const std::string& word) {
 /// Of an SVG, PDF or DXF file that is to be made again, with options that can be given here.
 /// @throws laplacian_lines::Error(InvalidOption) if the file has none.
 EarlierDrawing earlier_drawing(const std::string& file) {
-    const QJsonObject object = provenance_of(file);
-    const auto text = [](const QJsonValue& value) { return value.toString().toStdString(); };
-    EarlierDrawing earlier{text(object["laplacian_lines"]), {}, {}};
-    for (const QJsonValue mesh : object["meshes"].toArray())
-        earlier.meshes.push_back({text(mesh["name"]), text(mesh["sha256"])});
-    for (const QJsonValue word : object["options"].toArray())
-        earlier.options.push_back(text(word));
-    bool are_pairs = object.contains("options") && earlier.options.size() % 2 == 0;
+    Json object = provenance_of(file);
+    const bool has_options = object.members.count("options") != 0;
+    EarlierDrawing earlier{object.members["laplacian_lines"].text, {}, {}};
+    for (Json& mesh : object.members["meshes"].items)
+        earlier.meshes.push_back({mesh.members["name"].text, mesh.members["sha256"].text});
+    for (const Json& word : object.members["options"].items)
+        earlier.options.push_back(word.text);
+    bool are_pairs = has_options && earlier.options.size() % 2 == 0;
     for (std::size_t i = 0; are_pairs && i < earlier.options.size(); i += 2)
         are_pairs = is_option(earlier.options[i]);
     if (!are_pairs)
@@ -100,7 +96,8 @@ bool take_option(const std::string& word, Words& rest, Words& formats, CommandLi
 void name_files(const Words& names, CommandLine& result) {
     if (names.size() < 2) refuse("name two files: the drawing and the mesh; see --help.");
     result.drawing = names[0];
-    result.is_collection = line_drawing::ends_with(names[0], "/") || is_folder(names[0]);
+    const bool has_name = names[0].empty() || std::filesystem::u8path(names[0]).has_filename();
+    result.is_collection = !has_name || is_folder(names[0]);
     result.meshes = meshes_of({names.begin() + 1, names.end()});
 }
 

@@ -119,18 +119,19 @@ struct Item {
 /// @throws laplacian_lines::Error(InvalidOption) if they stay equal
 std::vector<Item> items_of(const Words& meshes) {
     std::map<std::string, int> counts = {{kContactName, 1}};
-    for (const fs::path mesh : meshes)
-        ++counts[mesh.stem().string()];
+    for (const std::string& mesh : meshes)
+        ++counts[fs::u8path(mesh).stem().u8string()];
     std::vector<Item> items;
     std::map<std::string, std::string> taken;
-    for (const fs::path mesh : meshes) {
-        const std::string stem = mesh.stem().string(),
-                          name = counts[stem] > 1 ? mesh.filename().string() : stem;
-        const auto [place, is_new] = taken.emplace(name, mesh.string());
+    for (const std::string& mesh : meshes) {
+        const fs::path file = fs::u8path(mesh);
+        const std::string stem = file.stem().u8string(),
+                          name = counts[stem] > 1 ? file.filename().u8string() : stem;
+        const auto [place, is_new] = taken.emplace(name, mesh);
         if (!is_new)
-            line_drawing::refuse("\"" + place->second + "\" and \"" + mesh.string() +
+            line_drawing::refuse("\"" + place->second + "\" and \"" + mesh +
                                  "\" have the same name, and so would their drawings.");
-        items.push_back({mesh.string(), name});
+        items.push_back({mesh, name});
     }
     return items;
 }
@@ -160,7 +161,9 @@ private:
 class Collection {
 public:
     explicit Collection(const CommandLine& commands)
-        : commands_(commands), items_(items_of(commands.meshes)), folder_(commands.drawing) {
+        : commands_(commands),
+          items_(items_of(commands.meshes)),
+          folder_(fs::u8path(commands.drawing)) {
         line_drawing::check_writable(file_of(kContactName));
     }
 
@@ -184,7 +187,8 @@ public:
 
 private:
     std::string file_of(const std::string& name) const {
-        return (fs::path(commands_.drawing) / (name + commands_.choices.file)).string();
+        return (fs::u8path(commands_.drawing) / fs::u8path(name + commands_.choices.file))
+            .u8string();
     }
 
     void draw_catching_all(Item& item) {

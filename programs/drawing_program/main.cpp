@@ -6,6 +6,12 @@
 #include "drawings.h"
 #include "laplacian_lines/version.h"
 
+#ifdef _WIN32
+#include <windows.h>
+
+#include <filesystem>
+#endif
+
 namespace {
 
 int run(const Words& arguments) {
@@ -21,13 +27,10 @@ int run(const Words& arguments) {
     return 0;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    for (const int signal : {SIGXFSZ, SIGPIPE})  // where a quota or a pipe ends, writing says so
-        std::signal(signal, SIG_IGN);
+/// The exit code.
+int run_catching_all(const Words& arguments) {
     try {
-        return run({argv + std::min(argc, 1), argv + argc});
+        return run(arguments);
     } catch (const std::bad_alloc&) {
         say(stderr, "laplacian-lines: not enough memory");
     } catch (const std::exception& error) {
@@ -35,3 +38,21 @@ int main(int argc, char** argv) {
     }
     return 1;
 }
+
+}  // namespace
+
+#ifdef _WIN32
+int wmain(int argc, wchar_t** argv) {
+    SetConsoleOutputCP(CP_UTF8);
+    Words arguments;
+    for (int i = 1; i < argc; ++i)
+        arguments.push_back(std::filesystem::path(argv[i]).u8string());
+    return run_catching_all(arguments);
+}
+#else
+int main(int argc, char** argv) {
+    for (const int signal : {SIGXFSZ, SIGPIPE})  // where a quota or a pipe ends, writing says so
+        std::signal(signal, SIG_IGN);
+    return run_catching_all({argv + std::min(argc, 1), argv + argc});
+}
+#endif

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh_reading.h"
 
-#include <QCryptographicHash>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <future>
 
 #include "mesh_files/mesh_file.h"
+#include "sha256.h"
 
 namespace fs = std::filesystem;
 using line_drawing::Words;
@@ -19,34 +19,26 @@ namespace {
 }
 
 std::optional<mesh_files::Format> format_of(const fs::path& file) {
-    const std::string ending = line_drawing::lower(file.extension().string());
+    const std::string ending = line_drawing::lower(file.extension().u8string());
     return mesh_files::format_of(ending.substr(std::min<std::size_t>(1, ending.size())));
 }
 
-Words meshes_in(const fs::path& folder) {
+Words meshes_in(const std::string& folder) {
     Words meshes;
     std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+    for (fs::directory_iterator entry(fs::u8path(folder), error), end; !error && entry != end;
          entry.increment(error))
         if (std::error_code none; format_of(entry->path()) && entry->is_regular_file(none))
-            meshes.push_back(entry->path().string());
+            meshes.push_back(entry->path().u8string());
     std::sort(meshes.begin(), meshes.end());
     return meshes;
-}
-
-std::string sha256_of(const std::string& bytes) {
-    QCryptographicHash hash(QCryptographicHash::Sha256);
-    constexpr std::size_t most = 1 << 30;  // of what Qt takes at once
-    for (std::size_t i = 0; i < bytes.size(); i += most)
-        hash.addData(bytes.data() + i, int(std::min(most, bytes.size() - i)));
-    return hash.result().toHex().toStdString();
 }
 
 }  // namespace
 
 bool is_folder(const std::string& name) {
     std::error_code none;
-    return fs::is_directory(name, none);
+    return fs::is_directory(fs::u8path(name), none);
 }
 
 Words meshes_of(const Words& named) {
@@ -62,7 +54,8 @@ Words meshes_of(const Words& named) {
     return meshes;
 }
 
-std::optional<std::string> contents_of(const std::string& file) {
+std::optional<std::string> contents_of(const std::string& name) {
+    const fs::path file = fs::u8path(name);
     std::error_code error;
     const std::uintmax_t size = fs::file_size(file, error);  // of files alone
     if (error) return {};
@@ -79,7 +72,8 @@ std::string readable(const std::string& name) {
 ReadMesh read_mesh(const std::string& file, bool draws_damaged) {
     const std::optional<std::string> bytes = contents_of(file);
     if (!bytes) refuse(file, "there is no such file, or it cannot be read.");
-    const auto format = format_of(file);
+    const fs::path name = fs::u8path(file).filename();
+    const auto format = format_of(name);
     if (!format) refuse(file, "meshes are read from PLY, OBJ, STL and OFF files.");
     auto hash = std::async(std::launch::async, [&] { return sha256_of(*bytes); });
     auto [mesh, defect, remark] = mesh_files::read_mesh(*format, *bytes);
@@ -91,11 +85,10 @@ ReadMesh read_mesh(const std::string& file, bool draws_damaged) {
     if (!defect.empty() && !draws_damaged)
         refuse(file, "the file is damaged: " + defect +
                          ". With --damaged draw, what is whole of it is drawn.");
-    const fs::path name = fs::path(file).filename();
     return {file,
             std::move(mesh),
-            {readable(name.string()), hash.get()},
-            readable(name.stem().string()),
+            {readable(name.u8string()), hash.get()},
+            readable(name.stem().u8string()),
             defect,
             remark};
 }

@@ -1,19 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """./test --reach: the portable plugins in MeshLabs that did not build them, and the packages of all releases of
-Debian, the wheel for Python, and another processor."""
+Debian, and the wheel for Python. Then come the other systems."""
 
 import shutil
 
 from environment import packages
 from environment.build import CHECKOUT, ctest, processors
 from environment.messages import Failure, run
-from hosts import aarch64, hosts
+from hosts import aarch64, hosts, windows
 from hosts.roots import SUITES, run_in_root
 from product import portable
 from product.plugin_needs import excess
 from product.stage import built_plugins
 
 BUILD = portable.BUILD
+SYSTEMS = {"aarch64": aarch64.test, "windows": windows.test}
 GUI_TESTS = r"meshlab\.(stage|driver|install|gui_.*)$"
 
 
@@ -50,4 +51,3 @@ def run_stages(stage):
         stage(f"package in MeshLab {host}", hosts.test_host, host, [r"meshlab\.(stage|package)$"])
     stage("lintian", check_packages)
     stage("wheel", hosts.test_here, ["wheel"])
-    stage("aarch64", aarch64.test)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""golden.py PROGRAM [--update]: the program draws twelve small meshes by default in each format as the files in
-drawings/ have them. --update writes anew those that differ: look at them before you commit them. Without it, both
-drawings and a PNG of each are left in the build folder, in golden/.
+"""golden.py PROGRAM [--update]: the program, of one or more words, draws twelve small meshes by default in each format as
+the files in drawings/ have them. --update writes anew those that differ: look at them before you commit them. Without it,
+both drawings and a PNG of each are left in the build folder, in golden/.
 
 Files are compared byte for byte, but for the program's version and for how streams of PNG and PDF are packed, with the
 lengths and places that follow from it: another zlib packs otherwise. DXF is kept packed, for it is large."""
@@ -129,8 +129,8 @@ def is_as_kept(name, new, updates):
     return False
 
 
-def main(program, update=""):
-    program = os.path.abspath(program)
+def main(*words):
+    program = [os.path.abspath(word) for word in words if word != "--update"]
     shutil.rmtree(WORK, ignore_errors=True)
     WORK.mkdir(parents=True)
     os.chdir(WORK)
@@ -138,11 +138,11 @@ def main(program, update=""):
     for mesh, triangles in MESHES.items():
         write_mesh(pathlib.Path(mesh), triangles)
         for name in (f"{mesh.partition('.')[0]}.{ending}" for ending in ("svg", "pdf", "dxf", "png")):
-            subprocess.run([program, name, mesh], check=True, stdout=subprocess.DEVNULL)
-            differing += not is_as_kept(name, pathlib.Path(name).read_bytes(), update == "--update")
+            subprocess.run([*program, name, mesh], check=True, stdout=subprocess.DEVNULL)
+            differing += not is_as_kept(name, pathlib.Path(name).read_bytes(), "--update" in words)
     if differing:
         sys.exit(f"{differing} drawings differ from those kept: see both in {WORK}; to keep the new ones:\n"
-                 f"python3 {KEPT.parent}/golden.py {program} --update")
+                 f"python3 {KEPT.parent}/golden.py {' '.join(program)} --update")
 
 
 main(*sys.argv[1:])

@@ -36,6 +36,16 @@ for ending in "svg", "pdf", "dxf":
     expect("the file was drawn" not in draw(again, "--like", old, "cube.off"), f"{again} is said to differ")
     expect_same(again, old)
 
+# any letters, and files of any size
+for size in range(120, 129):
+    write("sized.off", text_of("cube.off") + (size - len(text_of("cube.off")) - 1) % 64 * "\n")
+    draw("letters.svg", "--title", "𝄞 \\ / \"\t日本", "sized.off")
+    draw("again.svg", "--like", "letters.svg", "sized.off")
+    expect_same("again.svg", "letters.svg")
+    [mesh] = provenance("again.svg")["meshes"]
+    expect(len(text_of("sized.off")) % 64 == size % 64, "the file has another size")
+    expect(mesh["sha256"] == hashlib.sha256(text_of("sized.off").encode()).hexdigest(), f"SHA-256 of {size} bytes is wrong")
+
 # what is given besides counts more
 draw("larger.svg", "--like", "old.svg", "--unit", "mm", "cube.off")
 draw("direct.svg", *OPTIONS, "--unit", "mm", "cube.off")
@@ -53,6 +63,9 @@ for sentence, words in (("other.off is not the mesh that the file was drawn from
 # files that say nothing, or more than a drawing says
 refused("does not say how it was drawn", "plate.svg", "--like", "cube.off", "cube.off")
 refused("cannot be read", "plate.svg", "--like", "missing.svg", "cube.off")
+for value in (100000 * "[", '"cut', '"\\ud834', "{]", "", '"no" "comma"'):
+    pathlib.Path("broken.svg").write_text('{"laplacian_lines":' + value)
+    refused("does not say how it was drawn", "plate.svg", "--like", "broken.svg", "cube.off")
 for change in ('"--like"', '"--"', '"cube.off"'):
     pathlib.Path("changed.svg").write_text(text.replace('"--unit"', change))
     refused("has no options of this command", "plate.svg", "--like", "changed.svg", "cube.off")

@@ -15,6 +15,7 @@
 
 #include "mesh/flat_faces.h"
 #include "system/parallel.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
@@ -103,7 +104,7 @@ public:
 private:
     std::vector<CreaseEdge> find_bent_edges() const {
         const float bent =
-            std::cos((is_made_ ? kLeastCreaseAngle : kLeastMeasuredAngle) / kDegrees);
+            cosine_of((is_made_ ? kLeastCreaseAngle : kLeastMeasuredAngle) / kDegrees);
         const auto find = [&](std::uint32_t side, std::vector<CreaseEdge>& found) {
             if (!surface_.goes_on(side) || surface_.across(side) < side) return;
             const float cosine = surface_.cosine_across(side);
@@ -138,7 +139,7 @@ private:
         return is_strong ? Verdict::Strong : Verdict::Weak;
     }
 
-    const float flat_ = std::cos(kFlat / kDegrees);
+    const float flat_ = cosine_of(kFlat / kDegrees);
     const Surface& surface_;
     const bool is_made_;
 };

@@ -134,7 +134,7 @@ private:
 }  // namespace
 
 bool is_edge_of_form(const Surface& surface, const CreaseEdge& edge) {
-    static const float passable = std::cos(kPassable / kDegrees);
+    static const float passable = cosine_of(kPassable / kDegrees);
     constexpr float anything = -2, whatever = 1e6f;
     const EdgeSide here(surface, edge, false, passable, edge.angle);
     if (here.is_too_rough(edge.angle)) return false;

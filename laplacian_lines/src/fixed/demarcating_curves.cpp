@@ -31,7 +31,7 @@ float cubic(const Eigen::Vector4f& c, float x, float y) {
 /// A maximum of the cubic near an angle, by Newton's method.
 float refined(const Eigen::Vector4f& c, float angle) {
     for (int step = 0; step < 3; ++step) {
-        const float x = std::cos(angle), y = std::sin(angle);
+        const float x = cosine_of(angle), y = sine_of(angle);
         // A third of the gradient and a sixth of the second derivatives.
         const float fx = c[0] * x * x + 2 * c[1] * x * y + c[2] * y * y;
         const float fy = c[1] * x * x + 2 * c[2] * x * y + c[3] * y * y;
@@ -54,7 +54,7 @@ SteepestBend steepest_bend(const Eigen::Vector4f& derivative) {
     constexpr float step = 2 * 3.14159265f / kDirections;
     float values[kDirections];
     for (int i = 0; i < kDirections; ++i)
-        values[i] = cubic(derivative, std::cos(float(i) * step), std::sin(float(i) * step));
+        values[i] = cubic(derivative, cosine_of(float(i) * step), sine_of(float(i) * step));
     SteepestBend best;
     float second = 0;
     for (int i = 0; i < kDirections; ++i) {
@@ -62,7 +62,7 @@ SteepestBend steepest_bend(const Eigen::Vector4f& derivative) {
               values[i] >= values[(i + 1) % kDirections]))
             continue;
         const float angle = refined(derivative, float(i) * step);
-        const float x = std::cos(angle), y = std::sin(angle), slope = cubic(derivative, x, y);
+        const float x = cosine_of(angle), y = sine_of(angle), slope = cubic(derivative, x, y);
         second = std::max(second, std::min(slope, best.slope));
         if (slope > best.slope) best = {{x, y}, slope};
     }
@@ -88,7 +88,7 @@ Demarcation demarcation(const CurvatureRecord& record, float slope_scale) {
     result.direction = g.x() * frame.u + g.y() * frame.v;
     result.bend = bend.x() * frame.u + bend.y() * frame.v;
     result.curvature = g.dot(bend);
-    result.strength = kDegrees * steepest.slope * std::pow(slope_scale, 2 / 3.f);
+    result.strength = kDegrees * steepest.slope * float(std::pow(double(slope_scale), 2 / 3.));
     return result;
 }
 

@@ -41,7 +41,7 @@ Vector3f normal_of(const Vector3f& a, const Vector3f& b, const Vector3f& c) {
 }
 
 float cosine_of_edges() {
-    static const float cosine = std::cos(kEdgeAngle / kDegrees);
+    static const float cosine = cosine_of(kEdgeAngle / kDegrees);
     return cosine;
 }
 

@@ -70,13 +70,13 @@ float lean_of_walls(const Surface& surface, std::uint32_t side) {
                    there = -along_wall(surface, surface.across(side), least);
     if (here.isZero(0) || there.isZero(0)) return 0;
     const float a = arc_sine(dot(here, along)), b = arc_sine(dot(there, along));
-    const float lean = std::sin((a + b) / 2);
+    const float lean = sine_of((a + b) / 2);
     return std::abs(a - b) < arc_sine(kAcross) && std::abs(lean) < kMostLean ? lean : 0;
 }
 
 SmallAngle::SmallAngle(float size) : degrees(size) {
     constexpr float kRounding = 1e-6f;  // of products of unit vectors
-    const float cosine = std::cos(size / kDegrees);
+    const float cosine = cosine_of(size / kDegrees);
     cosine_below = cosine + kRounding;
     cosine_above = cosine - kRounding;
 }

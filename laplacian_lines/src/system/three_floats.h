@@ -6,8 +6,8 @@
 
 namespace laplacian_lines {
 
-// The same bits everywhere: on aarch64 Eigen adds three floats in another order, and atan2f
-// differs.
+// The same bits everywhere: on aarch64 Eigen adds three floats in another order, and functions of
+// floats differ between C libraries; those of doubles do in the last bits, which rounding removes.
 
 inline float dot(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
     return a.x() * b.x() + (a.y() * b.y() + a.z() * b.z());
@@ -27,7 +27,15 @@ inline Eigen::Vector3f unit(const Eigen::Vector3f& v) {
     return square > 0 ? Eigen::Vector3f(v / std::sqrt(square)) : v;
 }
 
-/// Of (x, y), radians. Rounding removes the last bits, in which C libraries differ.
+inline float sine_of(float angle) {
+    return float(std::sin(double(angle)));
+}
+
+inline float cosine_of(float angle) {
+    return float(std::cos(double(angle)));
+}
+
+/// Of (x, y), radians.
 inline float arc_tangent(float y, float x) {
     return float(std::atan2(double(y), double(x)));
 }

@@ -5,6 +5,8 @@
 
 namespace line_drawing {
 
+// Names of files are bytes, on Windows UTF-8.
+
 /// Writes a file whole or not at all: beside its place, flushed, then renamed. Follows links;
 /// writes into devices and pipes, never replaces them.
 /// @throws laplacian_lines::Error(InvalidOption) naming file and reason; an existing file is as it

@@ -2,9 +2,13 @@
 #include "line_drawing/whole_file.h"
 
 #include <fcntl.h>
-#include <sys/stat.h>
+#ifdef _WIN32
+#include <io.h>
+#else
 #include <unistd.h>
+#endif
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <random>
@@ -18,12 +22,39 @@ namespace {
 
 namespace fs = std::filesystem;
 
+#ifdef _WIN32
+constexpr int kFlags = O_WRONLY | O_BINARY | O_NOINHERIT;
+int open_file(const fs::path& file, int flags) {
+    return ::_wopen(file.c_str(), kFlags | flags, 0600);
+}
+int write_to_disk(int number) {
+    return ::_commit(number);
+}
+bool may_write(const fs::path& file) {
+    return ::_waccess(file.c_str(), 2) == 0;
+}
+#else
+constexpr int kFlags = O_WRONLY | O_CLOEXEC;
+int open_file(const fs::path& file, int flags) {
+    return ::open(file.c_str(), kFlags | flags, 0666);
+}
+int write_to_disk(int number) {
+    return ::fsync(number);
+}
+bool may_write(const fs::path& file) {
+    return ::access(file.c_str(), W_OK) == 0;
+}
+#endif
+
 [[noreturn]] void refuse_to_write(const std::string& file, const std::string& reason) {
     laplacian_lines::refuse("\"" + file + "\" cannot be written: " + reason);
 }
 
+[[noreturn]] void refuse_by_system(const std::string& file, const std::error_code& error) {
+    refuse_to_write(file, error.message());
+}
 [[noreturn]] void refuse_by_system(const std::string& file, int error = errno) {
-    refuse_to_write(file, std::generic_category().message(error));
+    refuse_by_system(file, {error, std::generic_category()});
 }
 
 /// The system would cut the name there.
@@ -34,7 +65,7 @@ void refuse_null(std::string file) {
 }
 
 /// A device, pipe or folder, or a link to one.
-bool is_special(const std::string& file) {
+bool is_special(const fs::path& file) {
     std::error_code none;
     const fs::file_status status = fs::status(file, none);
     return fs::exists(status) && !fs::is_regular_file(status);
@@ -42,40 +73,46 @@ bool is_special(const std::string& file) {
 
 class OpenFile {
 public:
-    OpenFile(const std::string& name, const std::string& place, int flags)
-        : name_(name), number_(::open(place.c_str(), flags | O_WRONLY | O_CLOEXEC, 0666)) {
+    OpenFile(const std::string& name, const fs::path& place, int flags)
+        : name_(name), number_(open_file(place, flags)) {
         if (number_ < 0) refuse_by_system(name);
     }
     OpenFile(const OpenFile&) = delete;
     OpenFile& operator=(const OpenFile&) = delete;
-    ~OpenFile() { ::close(number_); }
-
-    int number() const { return number_; }
+    ~OpenFile() { close(); }
 
     /// A full disk takes a part; the next write then fails with the reason.
     void write(std::string_view data) {
+        constexpr std::size_t most = 1 << 30;  // of what Windows takes at once
         while (!data.empty()) {
-            const ssize_t count = ::write(number_, data.data(), data.size());
+            const auto count = ::write(number_, data.data(), unsigned(std::min(data.size(), most)));
             if (count < 0 && errno != EINTR) refuse_by_system(name_);
-            data.remove_prefix(std::size_t(std::max<ssize_t>(0, count)));
+            data.remove_prefix(count < 0 ? 0 : std::size_t(count));
         }
+    }
+    void keep() {
+        if (write_to_disk(number_) != 0) refuse_by_system(name_);
+    }
+    void close() {
+        if (number_ >= 0) ::close(number_);
+        number_ = -1;
     }
 
 private:
     const std::string name_;
-    const int number_;
+    int number_;
 };
 
 /// Follows links, also to a file that is not there yet.
-std::string place_of(const std::string& file) {
+fs::path place_of(const std::string& file) {
     constexpr int most_links = 40;
-    fs::path place = file;
+    fs::path place = fs::u8path(file);
     std::error_code none;
     for (int links = 0; fs::is_symlink(place, none); ++links) {
         if (links == most_links) refuse_by_system(file, ELOOP);
         place = place.parent_path() / fs::read_symlink(place, none);
     }
-    return place.string();
+    return place;
 }
 
 /// A file beside its place, which it takes once complete; else it is removed.
@@ -84,34 +121,44 @@ public:
     explicit NewFile(const std::string& file)
         : name_(file),
           place_(place_of(file)),
-          beside_(place_ + '.' + std::to_string(std::random_device()())),
+          beside_(fs::path(place_) += '.' + std::to_string(std::random_device()())),
           output_(file, beside_, O_CREAT | O_EXCL) {
-        struct stat before = {};
-        if (::stat(place_.c_str(), &before) != 0) return;
-        if (::access(place_.c_str(), W_OK) != 0) give_up();
-        if (::fchmod(output_.number(), before.st_mode & 07777) != 0) give_up();
+        std::error_code error;
+        const fs::file_status before = fs::status(place_, error);
+        if (!fs::exists(before)) return;
+        if (!may_write(place_)) give_up({errno, std::generic_category()});
+        fs::permissions(beside_, before.permissions(), error);
+        if (error) give_up(error);
     }
     NewFile(const NewFile&) = delete;
     NewFile& operator=(const NewFile&) = delete;
     ~NewFile() {
-        if (!is_complete_) ::unlink(beside_.c_str());
+        if (!is_complete_) remove();
     }
 
     void complete(const std::string& data) {
         output_.write(data);
-        if (::fsync(output_.number()) != 0 || ::rename(beside_.c_str(), place_.c_str()) != 0)
-            refuse_by_system(name_);
+        output_.keep();
+        output_.close();  // Windows renames no open file
+        std::error_code error;
+        fs::rename(beside_, place_, error);
+        if (error) refuse_by_system(name_, error);
         is_complete_ = true;
     }
 
 private:
-    [[noreturn]] void give_up() const {
-        const int error = errno;
-        ::unlink(beside_.c_str());
+    void remove() {
+        output_.close();
+        std::error_code none;
+        fs::remove(beside_, none);
+    }
+    [[noreturn]] void give_up(const std::error_code& error) {
+        remove();
         refuse_by_system(name_, error);
     }
 
-    const std::string name_, place_, beside_;
+    const std::string name_;
+    const fs::path place_, beside_;
     OpenFile output_;
     bool is_complete_ = false;
 };
@@ -120,21 +167,21 @@ private:
 
 void write_whole(const std::string& file, const std::string& data) {
     refuse_null(file);
-    if (is_special(file))
-        OpenFile(file, file, 0).write(data);
+    if (const fs::path place = fs::u8path(file); is_special(place))
+        OpenFile(file, place, 0).write(data);
     else
         NewFile(file).complete(data);
 }
 
 void check_writable(const std::string& file) {
     refuse_null(file);
-    if (!is_special(file)) {
+    const fs::path place = fs::u8path(file);
+    if (!is_special(place)) {
         const NewFile could_be(file);
         return;
     }
-    if (fs::is_directory(file)) refuse_to_write(file, "it is a folder");
-    if (::access(file.c_str(), W_OK) != 0)
-        refuse_to_write(file, "you have no permission to write it");
+    if (fs::is_directory(place)) refuse_to_write(file, "it is a folder");
+    if (!may_write(place)) refuse_to_write(file, "you have no permission to write it");
 }
 
 }  // namespace line_drawing
