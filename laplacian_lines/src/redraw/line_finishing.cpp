@@ -103,6 +103,11 @@ void collect_points(const TracedLines& traced, const TracedLines::Line& line, Li
     }
 }
 
+/// Without branches, which would be guessed wrong.
+float within01(float v) {
+    return std::min(std::max(v, 0.f), 1.f);
+}
+
 /// From 0 at a threshold to 1 at (1 + fading) times it.
 float above(float value, float threshold, const LineRules& rules) {
     return rise(value, threshold, threshold * (1 + rules.fading));
@@ -115,14 +120,15 @@ void weigh(const LineRules& rules, const Polyline& p, LinePoint* points) {
     const float whole = std::min({above(p.slope, rules.line_slope, rules),
                                   above(p.length, rules.least_length, rules),
                                   above(p.strength, rules.least_strength, rules)});
+    const float range = rules.segment_slope * rules.fading;
     const std::uint32_t last = p.count - 1;
     const float first_slope = points[1].weight, last_slope = points[last].weight;
     points[0].weight = p.closed ? last_slope : first_slope;
     for (std::uint32_t i = 0; i <= last; ++i) {
         const float next = i < last ? points[i + 1].weight : p.closed ? first_slope : last_slope;
-        const float slope = (points[i].weight + next) / 2;
-        points[i].opacity *= whole * above(slope, rules.segment_slope, rules);
-        points[i].weight = std::clamp((slope - rules.segment_slope) / rules.full_slope, 0.f, 1.f);
+        const float over = (points[i].weight + next) / 2 - rules.segment_slope;
+        points[i].opacity *= whole * (range > 0 ? within01(over / range) : 1);
+        points[i].weight = within01(over / rules.full_slope);
     }
 }
 
@@ -229,8 +235,10 @@ void finish_line(const ExtractorData& data, const TracedLines& traced,
         smooth_looks(p, points);
     }
     smooth_positions(p, points, rules.smoothing_passes);
+    const Eigen::Vector3d centre = data.centre - data.origin;  // as in_line_set(), but hoisted
+    const double diagonal = data.diagonal;
     for (std::uint32_t i = 0; i < p.count; ++i)
-        points[i].position = data.in_line_set(points[i].position);
+        points[i].position = (centre + diagonal * points[i].position.cast<double>()).cast<float>();
 }
 
 /// Leaves out points that are of no line. Lines are in the order of their points.
