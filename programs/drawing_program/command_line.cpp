@@ -16,13 +16,13 @@ namespace {
 
 const char* const kFormatOption = "--format";  // of a collection
 
-/// The object that the file's line of provenance begins with.
+/// The JSON object at the start of the file's line of provenance.
 QJsonObject provenance_of(const std::string& name) {
     const std::optional<std::string> read = contents_of(name);
     if (!read) refuse("\"" + name + "\" cannot be read.");
     const QByteArray bytes = QByteArray::fromStdString(line_drawing::provenance_in(*read));
     QJsonParseError error;
-    QJsonDocument::fromJson(bytes, &error);  // tells where it ends
+    QJsonDocument::fromJson(bytes, &error);  // sets the offset of its end
     const QJsonObject object = QJsonDocument::fromJson(bytes.left(error.offset)).object();
     if (object.isEmpty())
         refuse("\"" + name +
@@ -37,7 +37,7 @@ bool is_option(const std::string& word) {
            word.find('=') == std::string::npos;
 }
 
-/// Of an SVG, PDF or DXF file that is to be made again, with options that can be given here.
+/// Reads the provenance of an SVG, PDF or DXF file that is to be drawn again.
 /// @throws laplacian_lines::Error(InvalidOption) if the file has none.
 EarlierDrawing earlier_drawing(const std::string& file) {
     const QJsonObject object = provenance_of(file);

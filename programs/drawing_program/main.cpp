@@ -24,7 +24,7 @@ int run(const Words& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    for (const int signal : {SIGXFSZ, SIGPIPE})  // where a quota or a pipe ends, writing says so
+    for (const int signal : {SIGXFSZ, SIGPIPE})  // write() then fails instead
         std::signal(signal, SIG_IGN);
     try {
         return run({argv + std::min(argc, 1), argv + argc});

@@ -36,7 +36,7 @@ Words meshes_in(const fs::path& folder) {
 
 std::string sha256_of(const std::string& bytes) {
     QCryptographicHash hash(QCryptographicHash::Sha256);
-    constexpr std::size_t most = 1 << 30;  // of what Qt takes at once
+    constexpr std::size_t most = 1 << 30;  // bytes that Qt hashes at once
     for (std::size_t i = 0; i < bytes.size(); i += most)
         hash.addData(bytes.data() + i, int(std::min(most, bytes.size() - i)));
     return hash.result().toHex().toStdString();
@@ -64,7 +64,7 @@ Words meshes_of(const Words& named) {
 
 std::optional<std::string> contents_of(const std::string& file) {
     std::error_code error;
-    const std::uintmax_t size = fs::file_size(file, error);  // of files alone
+    const std::uintmax_t size = fs::file_size(file, error);  // fails for folders and devices
     if (error) return {};
     std::string bytes(size, '\0');
     std::ifstream stream(file, std::ios::binary);

@@ -7,9 +7,9 @@
 
 namespace laplacian_lines {
 
-/// Passes of binomial smoothing (1-2-1) over `count` positions, at(i) each, of which those for
-/// which stays(i) stay. At an open end, what lies beyond is the position before, mirrored in the
-/// end. The first position of closed ones and its copy at the end stay equal.
+/// Passes of binomial smoothing (1-2-1) over `count` positions at(i); those for which stays(i) is
+/// true stay. Open ends are extended by the position before, mirrored in the end. The first
+/// position of closed lines and its copy at the end stay equal.
 template <class PositionAt, class Stays>
 void smooth_binomially(std::size_t count, bool closed, int passes, PositionAt at, Stays stays) {
     using Position = std::decay_t<decltype(at(0))>;
@@ -28,7 +28,7 @@ void smooth_binomially(std::size_t count, bool closed, int passes, PositionAt at
     }
 }
 
-/// The same of a line's points, open ends of which stay where they are.
+/// Smooths a line's points; open ends stay.
 inline void smooth_positions(const Polyline& line, LinePoint* points, int passes) {
     smooth_binomially(
         line.count, line.closed, passes,

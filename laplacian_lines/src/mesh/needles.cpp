@@ -80,7 +80,7 @@ void unfold_needles(const Positions& positions, std::vector<Triangle>& triangles
         const std::uint32_t other = two[two[0] == n];
         const Triangle whole = triangles[other];
         const std::uint32_t o = third_of(whole, edge_between(a, b));
-        Triangle parts[2] = {whole, whole};  // the way round of the neighbour
+        Triangle parts[2] = {whole, whole};  // with the neighbour's orientation
         std::replace(parts[0].begin(), parts[0].end(), b, v);
         std::replace(parts[1].begin(), parts[1].end(), a, v);
         const Vector3d to_v = across(positions, a, b, v), to_o = across(positions, a, b, o);

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
     refuse_to_write(file, std::generic_category().message(error));
 }
 
-/// The system would cut the name there.
+/// The system would truncate the name there.
 void refuse_null(std::string file) {
     const std::size_t place = file.find('\0');
     if (place == file.npos) return;
@@ -78,7 +78,7 @@ std::string place_of(const std::string& file) {
     return place.string();
 }
 
-/// A file beside its place, which it takes once complete; else it is removed.
+/// A temporary file beside the target, which replaces that once complete; else it is removed.
 class NewFile {
 public:
     explicit NewFile(const std::string& file)
