@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// How the edges of a surface are found, see find_edges():
+//  1. Merge equal vertices, unfold needles, drop triangles without height and duplicates.
+//  2. Merge border vertices within the precision of each other.
+//  3. Find where triangles intersect (cuts) or touch (vertices on edges).
+//  4. Merge ends of cuts with the vertices that they coincide with; find vertices on cuts.
+//  5. Divide sides of triangles and cuts at the vertices on them, and group them by edge.
 #include "visibility/sight_mesh.h"
 
 #include <Eigen/Geometry>
