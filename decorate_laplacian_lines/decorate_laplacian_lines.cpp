@@ -68,7 +68,7 @@ Eigen::Vector2i viewport_size() {
     return {viewport[2], viewport[3]};
 }
 
-/// The upper left corner, in the whole picture, of a view that is one of so many tiles in a row.
+/// The upper left corner of a tile in a picture of `tiles` in a row.
 Eigen::Vector2i corner_of(const Eigen::Matrix4d& projection, int tiles) {
     if (tiles == 1) return {0, 0};
     const Eigen::Array2d offset = meshlab_host::frustum_offset(projection);
@@ -81,7 +81,7 @@ double device_pixel_ratio(QPainter* painter) {
     return painter && painter->device() ? painter->device()->devicePixelRatioF() : 1;
 }
 
-/// The layer as `camera` sees it and MeshLab draws it; the caller adds what the redraw knows.
+/// A layer as MeshLab draws it for this camera; the caller fills in the rest.
 LayerInView layer_in_view(const MeshModel& mesh, const PreparedLines& lines,
                           const CameraMatrices& camera) {
     const Eigen::Matrix4d transform = meshlab_host::layer_transform(mesh.cm);
@@ -99,7 +99,7 @@ LayerInView layer_in_view(const MeshModel& mesh, const PreparedLines& lines,
     return layer;
 }
 
-/// And computing them has not failed.
+/// Whether derivatives have not been computed yet.
 bool is_without_derivatives(const PreparedLines& lines) {
     return lines.extractor && !lines.has_derivatives && lines.lack.isEmpty();
 }
@@ -138,7 +138,7 @@ bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList& par
     if (refusal.isEmpty()) return true;
     const MeshDocument* document = meshlab_host::document_of(mesh);
     const GLLogStream* log = document ? &document->Log : nullptr;
-    complaints_.erase({log, int(mesh.id())});  // each time that it is switched on
+    complaints_.erase({log, int(mesh.id())});  // log it each time that it is switched on
     complain(mesh, log, refusal);
     return false;
 }
@@ -148,7 +148,7 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
     const ValidParameters valid = valid_parameters(parameters);
     QStringList complaints = valid.refused;
     QString text;
-    if (shows_statistics_) glFinish();  // the mesh's own drawing must not count
+    if (shows_statistics_) glFinish();  // without the time of drawing the mesh itself
     RedrawClock clock;
     try {
         const bool needs_derivatives = valid.chosen.style.shows.needs_derivatives();
@@ -201,7 +201,7 @@ PreparedLinesPointer DecorateLaplacianLines::demand_lines(MeshModel& mesh, GLAre
     if (!lines || lines->lacked_memory) lines = prepare();
     if (lines->lacked_memory && kept_.drop()) lines = prepare();
     if (needs_derivatives && lines->extractor && !lines->has_derivatives) {
-        prints_.interrupt();  // they may read the extractor
+        prints_.interrupt();  // its thread may read the extractor
         add_derivatives(*lines, mesh.cm, mesh.label(), source, say_line);
     }
     cache_.assign(view, mesh.id(), lines);
@@ -332,7 +332,7 @@ QString DecorateLaplacianLines::draw_lines(const MeshModel& mesh, const Prepared
     if (layer.is_first)
         print_ = demand_print(mesh, view, chosen, layer, tiles);
     else if (print_.picture && layer.widget && printed_scene(mesh, view) != prints_.scene_of(view))
-        layer.widget->update();  // this layer's lines have been prepared since
+        layer.widget->update();  // this layer's lines have been prepared meanwhile
     if (print_.picture) {
         drawing_.draw(layer, *print_.picture, corner_of(camera.projection, tiles), chosen);
         return chosen.show_statistics

@@ -14,8 +14,8 @@
 #include "printed_views.h"
 #include "view_drawing.h"
 
-/// Mesh attributes, camera and parameters in, lines on the screen out; never lines of a geometry
-/// that the mesh no longer has.
+/// Draws the lines of a mesh from its attributes, the camera and the parameters; never lines of a
+/// geometry that the mesh no longer has.
 class DecorateLaplacianLines : public meshlab_host::DecoratePluginBase {
     Q_OBJECT
     MESHLAB_PLUGIN_IID_EXPORTER(MESHLAB_HOST_DECORATE_IID)
@@ -41,35 +41,35 @@ private:
     /// The view's lines if they still belong to the mesh, as far as that is checked while the
     /// camera moves; else null.
     PreparedLinesPointer current_lines(const MeshModel& mesh, GLArea* view, QPainter* painter);
-    /// Returns text for the view, if any. Throws what to complain about.
+    /// Returns text for the view, if any. Exceptions have the reason why lines cannot be drawn.
     QString draw_lines(const MeshModel& mesh, const PreparedLinesPointer& lines,
                        const DecorationParameters& chosen, GLArea* view, QPainter* painter,
                        line_renderer::RedrawClock& clock);
-    /// All that the view shows of the mesh's document, if all of it has lines; else null.
+    /// All visible layers of the mesh's document, if all of them have lines; else null.
     std::shared_ptr<PrintedScene> printed_scene(const MeshModel& mesh, GLArea* view) const;
     /// The view as it would be printed, if that is wanted and possible.
     std::optional<PrintedView> printed_view(const MeshModel& mesh, GLArea* view,
                                             const DecorationParameters& chosen,
                                             const LayerInView& layer, int tiles) const;
-    /// None if there is none yet, or cannot be; the log is told why.
+    /// Empty if there is none yet, or cannot be; logs the reason.
     Print demand_print(const MeshModel& mesh, GLArea* view, const DecorationParameters& chosen,
                        const LayerInView& layer, int tiles);
     /// Logs why a mesh has no lines, once, or remembers that it has; `log` is its document's.
     void complain(const MeshModel& mesh, const GLLogStream* log, const QString& refusal);
 
-    /// Says once of each layer that came after the lines of others why it has none.
+    /// Logs once, for each layer that was added after the lines of others, why it has none.
     void tell_of_new_layers(const MeshModel& mesh, GLArea* view);
-    /// While the mesh and its document live and memory allows.
+    /// Caches lines while the mesh and its document live and memory allows.
     void keep(const MeshModel& mesh, const PreparedLinesPointer& lines);
 
     DecorationParameters last_good_;
     LineCache cache_;
     KeptLines kept_;
     PrintedViews prints_;
-    Print print_;  ///< of all layers, in the redraw that goes on
+    Print print_;  ///< of all layers, in the current redraw
     std::map<const MeshDocument*, std::set<int>>
         known_layers_;  ///< of the documents that are watched
-    /// What was said last of meshes without lines, by log, which is never followed, and mesh.
+    /// The last message about meshes without lines, by log, which is never dereferenced, and mesh.
     std::map<std::pair<const GLLogStream*, int>, QString> complaints_;
     meshlab_host::SnapshotDialog snapshot_dialog_;
     meshlab_host::SnapshotTiles tiles_;

@@ -48,14 +48,13 @@ Row line_color() {
             [](Parameters& p, double value) { p.line_color = QColor(QRgb(value)); }};
 }
 
-/// Null if the ticks count.
+/// Null if the kinds are ticked one by one.
 const laplacian_lines::LineMixture* mixture_of(const DecorationParameters& parameters) {
     if (parameters.mixture == kAsTicked) return nullptr;
     return &laplacian_lines::kLineMixtures.at(std::size_t(parameters.mixture - 1));
 }
 
-/// Kinds that a mixture tells apart by their colors have them in any drawing style if it is the
-/// one that colors all.
+/// Kinds drawn in colors of their own; in black drawing styles only for the mixture of all kinds.
 laplacian_lines::LineKindSet colored_kinds(const DecorationParameters& parameters) {
     const laplacian_lines::LineMixture* mixture = mixture_of(parameters);
     if (!mixture) return {};

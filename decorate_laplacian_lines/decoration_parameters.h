@@ -17,10 +17,10 @@
 /// Makes names unique among MeshLab's plugins.
 inline const QString kDecorationPrefix = "MeshLab::Decoration::LaplacianLines_";
 
-/// Looks chosen by one parameter, whatever color, surface and light say.
+/// Appearances that override color, surface and light.
 enum class DrawingStyle { Custom, Publication, Archaeology };
 
-/// The ticks of kinds count; otherwise a mixture does.
+/// Value of `mixture` with which kinds are ticked one by one.
 constexpr int kAsTicked = 0;
 
 /// All but the first have paper around the surface.
@@ -32,7 +32,7 @@ enum class AtRest { PrintedDrawing, LiveLines };
 /// From 1 on, lights turn with the camera: eight around the picture, clockwise.
 constexpr int kAtTheEye = 0, kFromTheUpperLeft = 1;
 
-/// Of a class of printed lines, in widths of lines inside: the same while the view turns.
+/// Width of a class of lines on paper, in widths of inner lines; also that of live lines.
 constexpr double pen(line_drawing::LineClass line_class) {
     constexpr line_drawing::Pens pens = line_drawing::pens_of(line_drawing::Weights::Illustrator);
     return pens[std::size_t(line_class)] / pens[std::size_t(line_drawing::LineClass::Inner)];
@@ -49,7 +49,7 @@ struct DecorationParameters {
     double line_width = line_renderer::kUsualLineWidth;
     double outline_width = describe(laplacian_lines::LineKind::Contour).width;  ///< in line widths
     QColor line_color = Qt::black;
-    line_renderer::LineAppearance appearance;  ///< its looks are made of the above
+    line_renderer::LineAppearance appearance;  ///< its looks follow from the above
     AtRest at_rest = AtRest::PrintedDrawing;
     SurfaceLook surface = SurfaceLook::AsMeshLabDrawsIt;
     int light = kAtTheEye;
@@ -61,17 +61,17 @@ const std::vector<laplacian_lines::OptionRow<DecorationParameters>>& decoration_
 
 void list_decoration_parameters(RichParameterList& list);
 
-/// Of the light that turns with the camera, if it does, as meshlab_host::towards_light() takes it.
+/// Azimuth of a light that turns with the camera, see meshlab_host::towards_light(); else none.
 std::optional<double> light_azimuth(const DecorationParameters& parameters);
 
-/// Values out of range are those of the last time.
+/// Values out of range are replaced by the last valid ones.
 struct ValidParameters {
     DecorationParameters chosen;  ///< with drawing style and mixture applied
     DecorationParameters as_set;
-    QStringList refused;  ///< what is wrong, a sentence a value
+    QStringList refused;  ///< a sentence for each invalid value
 };
 ValidParameters read_valid_parameters(const RichParameterList& list,
                                       const DecorationParameters& last_time = {});
 
-/// The part that filters can follow.
+/// The part that filters can use.
 meshlab_host::DrawnStyle drawn_style_of(const DecorationParameters& parameters);

@@ -106,7 +106,7 @@ ComparedPicture picture_of(const QString& name) {
 std::vector<ComparedPicture> compared_pictures(const QString& names) {
     QStringList wanted;
     for (const QString& name : names.split(','))
-        if (name.trimmed() == kAll)  // each mixture but that of all kinds
+        if (name.trimmed() == kAll)  // each mixture except that of all kinds
             wanted << mixture_keys().mid(0, int(laplacian_lines::kLineMixtures.size()) - 1);
         else
             wanted << name.trimmed();

@@ -4,8 +4,8 @@
 #include <QStringList>
 #include <vector>
 
-/// What to say, once, of settings that MeshLab has kept for parameters of another version: empty if
-/// there are none. They are removed.
+/// Removes settings that MeshLab has kept for parameters of another version. Returns a message,
+/// empty if there were none.
 QString forget_other_settings();
 
 /// The GUI driver's commands for settings "NAME=VALUE". NAME is a parameter's label or key in any
@@ -19,7 +19,6 @@ struct ComparedPicture {
     QStringList commands;  ///< the driver's, before the picture is taken
 };
 
-/// @param names separated by commas: mixtures as in laplacian_lines::mixture_named(); sums of
-///        ticked kinds, joined by +; all
+/// @param names separated by commas: mixtures as in mixture_named(); kinds joined by +; all
 /// @throws laplacian_lines::Error(InvalidOption) that lists the names
 std::vector<ComparedPicture> compared_pictures(const QString& names);

@@ -25,16 +25,15 @@ private:
 
 class QWidget;
 
-/// When to compare a mesh with the geometry of its lines. Edit tools move vertices without telling
-/// decorations, but then either the redraw has another reason than the camera, or a key or button
-/// went before: such redraws always compare. Large meshes must turn smoothly, so one drag compares
-/// only now and then, and once after the camera has stopped. GUI thread only.
+/// Decides when to compare a mesh with the geometry of its lines. Edit tools move vertices without
+/// notifying decorations, but then either the camera has not moved since the last redraw, or a key
+/// or button was used: such redraws always compare. While the camera is dragged, redraws compare
+/// only now and then, for speed, and once after it has stopped. GUI thread only.
 class GeometryCheck {
 public:
     GeometryCheck();
 
-    /// Whether to compare in this redraw of `widget`; if not, it is redrawn soon, unless compared
-    /// before.
+    /// Whether to compare in this redraw of `widget`; if not, schedules a redraw that does.
     bool is_due(const Eigen::Matrix4d& modelview, unsigned presses, QWidget* widget);
 
 private:

@@ -12,9 +12,10 @@
 #include "geometry_check.h"
 #include "prepared_lines.h"
 
-/// Who uses which prepared lines. They are found by content: views, or layers of the same geometry,
-/// share them while someone uses or keeps them (KeptLines). MeshLab restarts decorations all the
-/// time, so released lines can be found until control returns to the event loop. GUI thread only.
+/// The prepared lines of each layer in each view. They are found by content: views, and layers of
+/// the same geometry, share them while they are in use or cached (KeptLines). MeshLab restarts
+/// decorations all the time, so released lines can be found until control returns to the event
+/// loop. GUI thread only.
 class LineCache {
 public:
     using View = const void*;  ///< a name, never followed

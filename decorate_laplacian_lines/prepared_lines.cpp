@@ -15,7 +15,7 @@ using laplacian_lines::TriangleMesh;
 
 namespace {
 
-/// What a scene takes once it has been printed, in memories of the extractor.
+/// Memory of a scene once it has been printed, over that of the extractor.
 constexpr std::size_t kSceneShare = 4;
 
 class WaitCursor {

@@ -21,10 +21,10 @@ struct PreparedLines {
     std::shared_ptr<laplacian_lines::LineExtractor> extractor;
     line_renderer::SurfacePointer surface;        ///< set if there is an extractor
     QString failure;                              ///< one sentence, empty if there is an extractor
-    bool lacked_memory = false;                   ///< why it failed: another try may succeed
+    bool lacked_memory = false;                   ///< the failure: another try may succeed
     std::size_t bytes = 0;                        ///< of all members
     bool has_derivatives = false;                 ///< for kinds of lines that need them
-    QString lack;                                 ///< why it has none although they were asked for
+    QString lack;                                 ///< why they could not be computed
     std::optional<laplacian_lines::Field> field;  ///< to compute them from, if it was computed
     std::shared_ptr<PrintableMesh> printable;     ///< null if the mesh is too large
     std::shared_ptr<PrintedScene> scene;          ///< the last one in which it comes first
@@ -40,8 +40,8 @@ PreparedLinesPointer prepare_lines(const CMeshO& mesh, const QString& mesh_name,
                                    const meshlab_host::FieldSource& source,
                                    const std::function<void(const QString&)>& say);
 
-/// Adds derivatives only; or says in `lack` why not and leaves the lines alone. Throws only
-/// std::bad_alloc, at the very end.
+/// Adds derivatives, or sets `lack` and leaves the lines alone. Throws only std::bad_alloc, at the
+/// very end.
 void add_derivatives(PreparedLines& lines, const CMeshO& mesh, const QString& mesh_name,
                      const meshlab_host::FieldSource& source,
                      const std::function<void(const QString&)>& say);

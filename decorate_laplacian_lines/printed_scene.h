@@ -10,7 +10,7 @@
 #include "line_renderer/picture_renderer.h"
 #include "meshlab_host/placed_mesh.h"
 
-/// A layer as printed scenes take it.
+/// A layer, for printed scenes.
 struct PrintableMesh {
     laplacian_lines::TriangleMesh mesh;
     std::optional<laplacian_lines::Field> field;  ///< that the user has computed
@@ -69,7 +69,7 @@ private:
 
     const std::vector<PlacedMesh> layers_;
     Eigen::Matrix4d to_world_;
-    std::list<Placed> placed_;  ///< copies of layers that stand elsewhere
+    std::list<Placed> placed_;  ///< copies of layers with other transformations
     line_drawing::Objects objects_;
     std::optional<line_drawing::ViewPainter> painter_;
 };

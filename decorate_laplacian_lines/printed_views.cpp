@@ -12,17 +12,17 @@
 
 namespace {
 
-/// From the last change until a drawing is shown, and at least until it is begun.
+/// Pause after the last change before a drawing is shown, and the least before it is begun.
 constexpr int kMillisecondsAtRest = 150, kMillisecondsIdle = 50;
-constexpr int kIdleChanges = 2;  // that have not come since: while it moves, nothing is begun
+constexpr int kIdleChanges = 2;  // pauses between changes without which the view is at rest
 
-/// But for rounding: in floats, MeshLab computes that of a snapshot in another way.
+/// Up to rounding: MeshLab computes the projection of a snapshot in another way.
 bool are_equal(const Eigen::Matrix4d& projection, const Eigen::Matrix4d& other) {
     return meshlab_host::is_orthographic(projection) == meshlab_host::is_orthographic(other) &&
            projection.topRows<2>().isApprox(other.topRows<2>(), 1e-6);
 }
 
-/// But for colors, which a picture gets when it is shown.
+/// Without colors, which a picture gets when it is shown.
 bool are_equal(const DecorationParameters& chosen, const DecorationParameters& other) {
     const auto& table = decoration_table();
     return std::all_of(table.begin(), table.end(), [&](const auto& row) {

@@ -12,7 +12,7 @@
 
 #include "printed_scene.h"
 
-/// What decides the picture of a view.
+/// All that the picture of a view depends on.
 struct PrintedView {
     std::shared_ptr<PrintedScene> scene;
     Eigen::Matrix4d to_eye, projection;  ///< of the scene's coordinates
@@ -24,31 +24,30 @@ struct PrintedView {
 
 struct Print {
     line_renderer::InkPicturePointer picture;  ///< in the inks of inks_of(); null: none
-    bool is_final = false;                     ///< another follows, of the right kernel, if not
-    double milliseconds = 0;                   ///< that it took
-    QString lack;                              ///< why there is none, when that is news
+    bool is_final = false;                     ///< false: another follows, with the right kernel
+    double milliseconds = 0;                   ///< time it took
+    QString lack;                              ///< why there is none, told once
 };
 
-/// Views as they would be printed: each is drawn by a thread once it has not changed for a while,
-/// at first with the lines that are at hand. A change gives up its drawing at once, but not what
+/// Views as they would be printed: each is drawn in a thread once it has not changed for a while,
+/// at first with the nearest cached kernel. A change cancels its drawing at once, but not work that
 /// other views need as well. GUI thread only.
 class PrintedViews {
 public:
     using View = const void*;  ///< a name, never followed
 
     PrintedViews();
-    ~PrintedViews();  ///< gives up, and waits for the thread
+    ~PrintedViews();  ///< cancels, and waits for the thread
     PrintedViews(const PrintedViews&) = delete;
     PrintedViews& operator=(const PrintedViews&) = delete;
 
-    /// The print, if it is ready. If not, the widget, which may be null, is redrawn when it is or
-    /// when it is known to lack something, or with `waits` it is drawn now. None if there is none
-    /// yet, or cannot be.
+    /// The print, if it is ready. Else starts it and returns an empty one; the widget, which may be
+    /// null, is redrawn when it is ready or has failed. With `waits` it is drawn now.
     Print demand(View view, QWidget* widget, const PrintedView& wanted, bool waits);
     void forget(View view);
-    /// That is shown, if any.
+    /// The scene of the view's print, if any.
     std::shared_ptr<PrintedScene> scene_of(View view) const;
-    /// What is under way ends, and begins anew when the view is at rest: scenes may be changed.
+    /// Stops the thread, so that scenes may be changed; it restarts when the view is at rest.
     void interrupt();
 
 private:
@@ -58,7 +57,7 @@ private:
         QPointer<QWidget> widget;
         Print print;
         bool has_failed = false, is_at_rest = false;
-        QString told;  ///< what the last one lacked
+        QString told;  ///< why the last one failed
 
         bool is_due() const { return !print.is_final && !has_failed; }
     };
@@ -67,7 +66,7 @@ private:
         PrintedView what;
         bool may_wait = false;  ///< for a field
         std::atomic<bool> is_given_up{false}, is_stopped{false}, is_over{false};
-        Print print;  ///< lacks nothing if it was given up
+        Print print;  ///< without a reason if it was cancelled
     };
 
     static void run(Running& running) noexcept;

@@ -23,7 +23,7 @@ bool ViewLayers::are_in_depth_buffer(View view) const {
     return redraw != views_.end() && are_in_depth_buffer(redraw->second);
 }
 
-/// Removes layers that the redraw did not reach. Whether there were any.
+/// Removes layers that the redraw did not reach. Returns whether there were any.
 bool ViewLayers::drop_missing(Redraw& redraw) {
     const std::size_t before = redraw.layers.size();
     for (auto layer = redraw.layers.begin(); layer != redraw.layers.end();)

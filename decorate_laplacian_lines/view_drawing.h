@@ -15,14 +15,14 @@
 #include "line_renderer/surface_renderer.h"
 
 /// The layers whose lines a view shows. MeshLab redraws them one by one, while each can hide lines
-/// of any: later ones are taken from the last redraw, and if they have changed, the view is drawn
-/// again. GUI thread only.
+/// of any other: layers that follow are assumed to be as in the last redraw, and if they have
+/// changed, the view is drawn again. GUI thread only.
 class ViewLayers {
 public:
     using View = const void*;  ///< a name, never followed
 
-    /// The redraw of a view, shown by `widget` or null, has come to a mesh, the first if
-    /// `is_first`. Whether it is as expected.
+    /// The redraw of a view, shown by `widget` or null, reaches a mesh, the first if `is_first`.
+    /// Returns whether the layer is as in the last redraw.
     bool note(View view, QWidget* widget, int mesh, const line_renderer::SurfaceLayer& layer,
               bool is_first);
     /// Only these layers, ascending, are still there and shown.
@@ -36,13 +36,13 @@ public:
 private:
     struct Entry {
         line_renderer::SurfaceLayer layer;
-        bool is_drawn = false;  ///< this redraw has come to it
+        bool is_drawn = false;  ///< this redraw has reached it
     };
     struct Redraw {
         std::map<int, Entry> layers;  ///< by mesh
         QPointer<QWidget> widget;
         bool is_over = true;
-        bool has_surprised = false;  ///< a layer was other than expected, after lines were drawn
+        bool has_surprised = false;  ///< a layer had changed after lines were drawn
     };
 
     static bool are_in_depth_buffer(const Redraw& redraw);
@@ -77,8 +77,8 @@ public:
     /// @throws std::runtime_error if OpenGL cannot do it
     void draw(const LayerInView& layer, const laplacian_lines::LineSet& lines,
               const DecorationParameters& chosen, line_renderer::RedrawClock& clock);
-    /// The same where the lines of all layers are a picture already, in the inks of inks_of(), of
-    /// which the view shows what begins at `corner`.
+    /// The same if the lines of all layers are a picture, in the inks of inks_of(), which the view
+    /// shows from `corner` on.
     /// @throws std::runtime_error if OpenGL cannot do it
     void draw(const LayerInView& layer, const line_renderer::InkPicture& lines,
               const Eigen::Vector2i& corner, const DecorationParameters& chosen);
@@ -86,8 +86,7 @@ public:
     void forget(ViewLayers::View view);
 
 private:
-    /// Draws what comes before the layer's lines. If there are lines, returns the depths of what
-    /// hides them.
+    /// Draws background and surfaces. If there are lines, returns the depths of what hides them.
     line_renderer::DepthTexture prepare(const LayerInView& layer, bool has_lines,
                                         const DecorationParameters& chosen);
     line_renderer::DepthTexture depths(ViewLayers::View view);

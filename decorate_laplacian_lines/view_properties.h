@@ -15,8 +15,8 @@ inline bool begins_redraw(QPainter* painter) {
     return true;
 }
 
-/// Properties of a view's widget, for pictures. A factor on widths of lines, where the picture is
-/// larger than views usually are.
+/// Properties of a view's widget, for pictures. A factor of the widths of lines, for large
+/// pictures.
 constexpr const char* line_scale_property = "laplacian_lines_scale";
-/// Redraws wait for what is otherwise computed in the background.
+/// Redraws wait for drawings that are otherwise computed in the background.
 constexpr const char* waits_property = "laplacian_lines_waits";

@@ -22,7 +22,7 @@ using laplacian_lines::PrecomputeOptions;
 
 namespace {
 
-/// Of the core's table. The others keep their defaults here.
+/// The rows of the core's table that the filter offers; others keep their defaults.
 std::vector<laplacian_lines::OptionRow<PrecomputeOptions>> make_table() {
     std::vector<laplacian_lines::OptionRow<PrecomputeOptions>> rows;
     for (const std::string key :
@@ -38,8 +38,8 @@ const auto& option_table() {
     return table;
 }
 
-/// Unless the mesh was deleted or edited while the progress bar ran the event loop: a field must
-/// never end up on another geometry.
+/// Stores the field, unless the mesh was deleted or edited while the progress bar ran the event
+/// loop.
 void store(MeshDocument& document, int mesh_id, const meshlab_host::GeometryStamp& stamp,
            const Field& field, const PrecomputeOptions& options) {
     MeshModel* mesh = document.getMesh(mesh_id);
@@ -119,7 +119,7 @@ QString choices_line(const PrecomputeOptions& options) {
     return parts.join(", ");
 }
 
-/// "None were left out" is not said.
+/// Without lines that have nothing to report.
 QStringList compute_report(const Field& field, const PrecomputeOptions& options, double seconds) {
     QStringList lines{mesh_line(field.report),   left_out_line(field.report),
                       welded_line(field.report), undone_line(field.report),

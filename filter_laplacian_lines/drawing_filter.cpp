@@ -32,7 +32,7 @@ Eigen::Vector3d size_of(const PlacedLayers& layers) {
     return box.sizes();
 }
 
-/// Name, scale and paper of the drawing, and the assumed size of the object.
+/// Name, scale and paper of the drawing, and the size of the object in the chosen unit.
 QString report(const PlacedLayers& layers, const QString& file, const Sheet& sheet,
                const Eigen::Vector3d& size, const SheetOptions& options) {
     return QString(
@@ -57,7 +57,7 @@ std::vector<line_drawing::SourceMesh> meshes_of(const PlacedLayers& layers) {
     return meshes;
 }
 
-/// Of a file that has no drawing of other meshes: with a number, if that named has one.
+/// The name, with a number if that file is a drawing of other meshes.
 QString free_name(const QString& name, const std::vector<line_drawing::SourceMesh>& meshes) {
     const QFileInfo info(name);
     QString result = name;
@@ -79,7 +79,7 @@ void list_parameters(const MeshModel* mesh, RichParameterList& list) {
 void run(const meshlab_host::FilterRun& run) {
     const DrawingParameters chosen = read_drawing_parameters(run.parameters);
     QString name = in_qt(file_for(*run.document.mm(), chosen.file));
-    std::string place = QFile::encodeName(name).toStdString();  // as the system has it
+    std::string place = QFile::encodeName(name).toStdString();  // in the system's encoding
     line_drawing::format_of(place);
     line_drawing::check_writable(place);
     const std::optional<meshlab_host::CurrentView> window = meshlab_host::current_view();

@@ -11,8 +11,8 @@
 /// The user's choices; the filter has a part of line_drawing::sheet_option_table().
 using DrawingParameters = line_drawing::SheetChoices;
 
-/// The likely unit of a mesh of this size: scanners measure in mm what is larger than a bead,
-/// photogrammetry and phones in m what is smaller than a house; nothing tells cm and inches.
+/// The likely unit of a mesh of this size: mm from scanners, for objects larger than a bead; m from
+/// photogrammetry and phones, for objects smaller than a house. cm and inches cannot be recognized.
 constexpr int likely_unit(double diagonal) {
     constexpr int millimetre = 0, metre = 2;
     return diagonal < 10 ? metre : millimetre;
@@ -31,10 +31,10 @@ void list_drawing_parameters(const DrawingParameters& defaults, RichParameterLis
 /// @throws laplacian_lines::Error(InvalidOption) that names a parameter out of range
 DrawingParameters read_drawing_parameters(const RichParameterList& list);
 
-// Places in the file's name that differ from mesh to mesh: {folder} and {name}.
+// Placeholders in the file's name: {folder} and {name}.
 
 std::string file_for(const MeshModel& mesh, const std::string& file);
-/// For scripts: with these places, and with the window's view in words.
+/// For scripts: with these placeholders, and the window's view as text.
 DrawingParameters for_any_mesh(DrawingParameters chosen, const MeshModel& mesh,
                                const meshlab_host::CurrentView& window);
 

@@ -14,7 +14,7 @@
 struct PlacedLayer {
     QString name;
     laplacian_lines::TriangleMesh mesh;
-    /// As the user computed it; none: the drawing's scale decides about the kernel.
+    /// As the user computed it; none: the kernel follows from the drawing's scale.
     std::optional<laplacian_lines::Field> field;
 };
 using PlacedLayers = std::vector<PlacedLayer>;

@@ -36,7 +36,7 @@ const char* const kFilterName = "Generate Laplacian Lines Polylines";
 constexpr double kPlacedShare = 0.05, kStrokesShare = 0.95;
 constexpr double kFieldShare = 0.7, kSightShare = 0.8, kExtractorShare = 0.95;
 
-/// Copied from the layer, which may go while the progress bar runs the event loop.
+/// Copied from the layer, which may be deleted while the progress bar runs the event loop.
 struct Source {
     explicit Source(const MeshModel& mesh)
         : triangles(meshlab_host::to_triangle_mesh(mesh.cm)),
@@ -50,7 +50,8 @@ struct Source {
     Eigen::Matrix4d layer;
 };
 
-/// Triangles to far vertices are slivers without lines, but would hide all others by rounding.
+/// Triangles at far vertices are slivers without lines, but rounding would make them hide all
+/// others.
 void refuse_far_vertices(const Source& source) {
     constexpr double most = 1e6;  // diagonals of what has lines
     const double all = line_drawing::bounds_of(source.triangles).diagonal().stableNorm();
@@ -145,7 +146,7 @@ QString kinds_in_words(const LineSet& lines) {
     return parts.join(", ");
 }
 
-/// From where it was seen, for scripts.
+/// Records the view for scripts.
 void record_view(const meshlab_host::FilterRun& run, PolylineParameters seen,
                  const line_drawing::ViewFrame& frame) {
     seen.view = frame.eye ? ViewChoice::Perspective : ViewChoice::Orthographic;

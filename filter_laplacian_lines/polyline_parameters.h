@@ -38,8 +38,8 @@ struct PolylineParameters {
     meshlab_host::KindColors colors = meshlab_host::usual_kind_colors();
 };
 
-/// The window's current view, if any; else in front of the mesh, with a viewpoint on the side of +z
-/// that sees all of it.
+/// The window's current view, if any; else from the front, with a viewpoint on the side of +z that
+/// sees all of the mesh.
 PolylineParameters polyline_defaults(const MeshModel* mesh,
                                      const std::optional<meshlab_host::CurrentView>& window);
 

@@ -10,7 +10,7 @@
 #include "meshlab_host/filter.h"
 #include "polyline_parameters.h"
 
-// From where lines are seen, in world coordinates.
+// The camera of the polyline filter, in world coordinates.
 
 /// Perspective eyes look at `centre` of the mesh. @throws laplacian_lines::Error(InvalidOption) if
 /// there is no window's view to take
@@ -25,9 +25,9 @@ QString in_words(const line_drawing::ViewFrame& frame, const PolylineParameters&
 laplacian_lines::View view_of(const line_drawing::ViewFrame& frame,
                               const PolylineParameters& chosen, const Eigen::Matrix4d& layer);
 
-/// A warning if the eye, in or near a box in world coordinates, does not see all of it.
+/// A warning if the eye is so near to a box in world coordinates that it does not see all of it.
 QString nearness_warning(const line_drawing::ViewFrame& frame, const Eigen::AlignedBox3d& box);
 
-/// Adds what flattens the lines to a picture, in world coordinates: "viewpoint" of perspective
-/// views, "view_direction" to the viewer, "up".
+/// Adds the camera, with which lines can be projected to a picture, in world coordinates:
+/// "viewpoint" of perspective views, "view_direction" to the viewer, "up".
 void add_results(const line_drawing::ViewFrame& frame, meshlab_host::FilterResults& results);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures how fast the core is, and how true drawings are: ./bench --help."""
+"""Measures how fast the core is, and how accurate drawings are: ./bench --help."""
 
 import tempfile
 
@@ -10,14 +10,14 @@ from environment.options import Parser
 from product.models import check_mesh, prepare_mesh
 
 ABOUT = """\
-./bench [MESH] times what is computed once a mesh, redraws of each kind of lines and a drawing on paper, beside a plain
-loop that draws less: of MESH, a PLY, STL, OBJ or OFF file, also gzipped, or of the Stanford dragon, which is fetched.
+./bench [MESH] times what is computed once a mesh, redraws of each kind of lines and a drawing on paper, and a simple loop
+for comparison: of MESH, a PLY, STL, OBJ or OFF file, also gzipped, or of the Stanford dragon, which is fetched.
 Options of Google Benchmark go on to it, such as --benchmark_filter=redraw or --benchmark_out=FILE.json; it takes
 medians of five repetitions in random order. Nothing else should run on the machine. LAPLACIAN_LINES_THREADS=1 and
 LAPLACIAN_LINES_VECTOR_BYTES=16 or 32 in the environment have it use fewer threads and lesser instructions.
 
-./bench --truth [PART...] holds measured drawings of CAD parts against their exact visible lines and against what their
-meshes cover, in ten seconds; ./test drawing_truth has the bounds.
+./bench --truth [PART...] compares measured drawings of CAD parts with their exact visible lines and with the silhouettes of
+their meshes, in ten seconds; ./test drawing_truth has the limits.
 """
 MEDIANS = ["--benchmark_repetitions=5", "--benchmark_enable_random_interleaving", "--benchmark_min_time=0.2",
            "--benchmark_report_aggregates_only"]

@@ -5,7 +5,7 @@
 #include <GL/glext.h>
 
 /// OpenGL beyond version 1.1, found through Qt, since its library has another name on each system.
-/// In this namespace the usual names mean these.
+/// In this namespace the usual names are these functions.
 namespace line_renderer {
 
 /// Null if the current context, or Qt, has no such function.
@@ -34,7 +34,7 @@ private:
     Pointer pointer_ = nullptr;
 };
 
-/// Of the first context, which stands for all.
+/// Features of the first context, assumed for all.
 struct GlFeatures {
     bool shaders;        ///< OpenGL 2.0
     bool array_objects;  ///< OpenGL 3.0 or an extension, as the next two

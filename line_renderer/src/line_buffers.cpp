@@ -15,7 +15,7 @@ void point_attribute(LineAttribute attribute, GLint floats, GLsizei stride, std:
     set_divisor(attribute, divisor);
 }
 
-/// Four windows onto one array, each a point further.
+/// One array, bound at four offsets of a point each.
 constexpr LineAttribute kWindows[] = {Before, Start, End, After};
 
 GLsizeiptr bytes(std::size_t points) {

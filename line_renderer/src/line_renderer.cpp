@@ -17,13 +17,13 @@
 namespace line_renderer {
 namespace {
 
-/// How far beside a line, pixels, the surface may give way to let it be seen: less than half an
-/// outline's width, which hides what reaches below it.
+/// A line is visible if the surface is behind it at most so many pixels beside it: less than half
+/// an outline's width, which hides the parts below it.
 constexpr double kToSide = 1.5;
 
-/// The same for lines along mesh edges: the pixel's middle may be beyond the edge, by up to sqrt(2)
-/// pixels. And the most pixels that such an edge moves towards the eye: as far as a surface that
-/// leans by 70 degrees, such as the ground, rises over that distance.
+/// The same for lines along mesh edges, where the pixel's centre may be beyond the edge. And the
+/// most pixels by which such an edge is moved towards the eye: the rise, over that distance, of a
+/// surface that leans by 70 degrees, such as the ground.
 constexpr double kEdgeSide = 0.7072;
 constexpr double kEdgeMove = 4;
 constexpr double kUnlimited = 1e6;
@@ -31,8 +31,8 @@ constexpr double kUnlimited = 1e6;
 /// Hidden lines: length of a dash and its period, pixels.
 constexpr double kDashPixels = 5;
 constexpr double kDashPeriod = 9;
-/// How many clearances behind the surface a hidden line has to be; otherwise pieces along outlines
-/// would be drawn.
+/// Least distance of hidden lines behind the surface, in depth biases; nearer are pieces along
+/// outlines.
 constexpr double kHiddenDepth = 4;
 
 template <class Value>
@@ -73,7 +73,8 @@ void set_depth_biases(const ShaderProgram& program, const LinePlacement& placeme
     program.set("depth_biases", biases);
 }
 
-/// How far from a line depths may let it be seen; from mesh edges the same, unless they are exact.
+/// Sets how far beside a line depths are compared; beside mesh edges the same, unless they are
+/// exact.
 void set_reach(const ShaderProgram& program, const LinePlacement& placement, bool is_exact) {
     const double pixels = kToSide * placement.pixel_scale;
     const Eigen::Vector2d at_edges(is_exact ? kEdgeMove : kUnlimited,
@@ -87,8 +88,8 @@ void set_placement(const ShaderProgram& program, const LinePlacement& placement,
     program.set("to_eye", Eigen::Matrix4f(placement.to_eye.cast<float>()));
     program.set("projection", Eigen::Matrix4f(placement.projection.cast<float>()));
     program.set("half_viewport", half_viewport());
-    // A mark's corner at the far side of a line. Another layer's marks have this one's faces count
-    // twice, in the texture and in the depth buffer, which must not hide a line's inner half.
+    // A mark's corner at the far side of a line. If another layer has marks, the faces of this one
+    // are in the texture and in the depth buffer, which must not hide a line's inner half.
     const double to_horizon =
         placement.depths.is_complete ? 0 : 0.71 * placement.mark_pixels + radius;
     program.set("mark_reach",

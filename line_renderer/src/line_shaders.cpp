@@ -8,18 +8,18 @@ namespace line_renderer {
 // right angle, both segments have round ends instead: the cut would be longer than the line is
 // wide, and half of the cusp would be missing where the neighbour is shorter or hidden.
 //
-// Depth: a pixel is seen if the middle of its line is, moved towards the eye by a fixed length in
-// eye coordinates and compared with the depths there and a little to either side. So a line is
-// drawn in full width or not at all, even along an outline, where the surface would hide its inner
-// half; it passes in front of the surface it lies on, but not of what is clearly in front. Where a
-// contour follows a mesh edge its surface is not beyond it on the screen: the move is a few pixels
-// long, for surfaces that it stands on, and to the side it reaches to a pixel whose middle is
+// Depth: a pixel is visible if the point in the middle of its line is, moved towards the eye by the
+// depth bias and compared with the depths there and a little to either side. So a line is drawn in
+// full width or not at all, even along an outline, where the surface would hide its inner half; it
+// is in front of the surface it lies on, but not of surfaces clearly in front. Where a contour
+// follows a mesh edge, its surface ends there on the screen: the bias is only a few pixels, for
+// surfaces that it stands on, and to the side depths are compared up to a pixel whose centre is
 // beyond. So a fold just behind the edge stays hidden.
 //
 // Where MeshLab draws points or wires, depths are those of surfaces alone: such marks are flat on
 // the screen and stand out of a surface that falls away, by sqrt(2 R d) at d pixels from the
-// horizon of a ball of radius R. The depth buffer counts as well, but after a move as long as that,
-// which leaves what is well in front.
+// horizon of a ball of radius R. The depth buffer is compared as well, with a bias as long as that,
+// so that only objects well in front hide lines.
 const char* const kLineVertexShader = R"(#version 120
 attribute vec2 corner;  // x: 0 at the start, 1 at the end; y: -1 or 1, side
 attribute vec4 before;  // mesh coordinates, radius in pixels or a negative mark

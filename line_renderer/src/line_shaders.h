@@ -10,7 +10,7 @@ namespace line_renderer {
 extern const char* const kLineVertexShader;
 extern const char* const kLineFragmentShader;
 
-/// Looks that the shaders hold.
+/// Size of the shaders' arrays of looks.
 constexpr std::size_t kMostLooks = 16;
 
 }  // namespace line_renderer

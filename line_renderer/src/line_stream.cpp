@@ -17,7 +17,7 @@ using laplacian_lines::Polyline;
 
 namespace {
 
-/// Share of a line's clearance by which its drawn depth may differ.
+/// Tolerance of a simplified line's depth, in its clearance.
 constexpr double kDepthShare = 0.25;
 
 LineTolerance tolerance_of(const LinePlacement& placement) {
@@ -40,7 +40,7 @@ float tapered_radius(float full, float least_share, float weight) {
     return full * (least_share + (1 - least_share) * std::clamp(weight, 0.0f, 1.0f));
 }
 
-/// What a line is between two of its points: 0, or one of the marks of edges of the mesh.
+/// The mark of a segment: 0, or one of the marks of mesh edges.
 float mark_of(const Polyline& line, const LinePoint& from, const LinePoint& to) {
     if (line.kind == LineKind::Border) return kEdgeMark;
     if (line.kind == LineKind::Crease) return line.slope < 0 ? kAwayMark : kEdgeMark;
@@ -165,7 +165,7 @@ struct Run {
 };
 using Runs = std::array<Run, kMostRuns>;
 
-/// Of about the same number of points; the last are empty if there are few.
+/// Cuts lines in runs of about the same number of points; the last are empty if there are few.
 Runs cut_in_runs(const LineSet& lines) {
     const std::size_t size = std::max(kPointsOfRun, stream_length(lines) / kMostRuns + 1);
     Runs runs;

@@ -26,7 +26,7 @@ struct ScreenTransform {
     Eigen::Vector2f half_viewport = Eigen::Vector2f::Zero();
 };
 
-/// How far off drawn lines may be, see StraightPiece.
+/// Tolerance of the simplification of lines, see StraightPiece.
 struct LineTolerance {
     /// Pixels; 0: every point is written.
     float distance = 0.25f;
@@ -46,13 +46,13 @@ struct StreamPoint {
     float along;  ///< pixels along the line from its start; 0 unless they were asked for
 };
 
-/// In place of a radius. Segments with a marked end are not drawn.
+/// Marks in place of a radius. Segments with a marked end are not drawn.
 constexpr float kNothingHere = -1;    ///< before and after a line: its ends are round
 constexpr float kNeighbourOnly = -2;  ///< around a closed line: a point to join to
 
 /// Added to the look of a point from which on a line is an edge of the mesh.
 constexpr float kEdgeMark = 0.25f;
-/// Likewise, of an edge that is hidden, whatever the depths say.
+/// Likewise, of an edge that is hidden, whatever its depth.
 constexpr float kAwayMark = 0.4f;
 
 /// The most points of a set: each line stands between two marks.
@@ -62,7 +62,7 @@ struct StreamSettings {
     LineRadii radii;
     ScreenTransform screen;
     LineTolerance tolerance;
-    /// Whether points have their `along`, which does not count what is behind the eye.
+    /// Whether points get `along`, without lengths behind the eye.
     bool is_measured = false;
 };
 
@@ -84,7 +84,7 @@ inline double mean_scale(const Eigen::Matrix4d& to_eye) {
 
 LineRadii line_radii(const LineAppearance& appearance, double pixel_scale);
 
-/// How far lines of a look move towards the eye before the surface can hide them, eye coordinates.
+/// Depth bias of the lines of a look, eye coordinates.
 double line_clearance(std::size_t look, const LinePlacement& placement);
 
 /// `half_viewport` in pixels.

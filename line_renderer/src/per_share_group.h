@@ -11,7 +11,7 @@
 namespace line_renderer {
 
 /// The contexts that share objects with the current one: all views of a document. Null without a
-/// current context. Only for comparing.
+/// current context. Only compared.
 using ShareGroup = const QOpenGLContextGroup*;
 
 /// An Object per share group, made on demand. When the group dies, taking its OpenGL objects along,
@@ -61,7 +61,7 @@ private:
     }
 
     std::map<ShareGroup, Entry> entries_;
-    QObject receiver_;  ///< of the groups' last words; destroyed first
+    QObject receiver_;  ///< of the groups' signals; destroyed first
 };
 
 }  // namespace line_renderer

@@ -8,7 +8,7 @@
 namespace line_renderer {
 namespace {
 
-/// Share of the tolerance for points behind those before them.
+/// Share of the tolerance for points that go backwards.
 constexpr float kFallbackShare = 0.2f;
 /// Pixels; nearer than this values have to stay, instead of having a slope.
 constexpr float kLeastReach = 1e-3f;

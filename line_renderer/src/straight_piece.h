@@ -6,7 +6,7 @@
 
 namespace line_renderer {
 
-/// What a segment interpolates on the screen.
+/// Values that a segment interpolates on the screen.
 enum SeenValue { SeenDepth, SeenRadius, SeenOpacity, kSeenValueCount };
 using SeenValues = std::array<float, kSeenValueCount>;
 
@@ -17,22 +17,21 @@ struct SeenPoint {
     bool is_before_eye = false;
 };
 
-/// Successive points of a line that one straight segment can stand for, found in one pass.
+/// Simplifies lines: successive points that one straight segment can replace, found in one pass.
 ///
-/// For each point p_i that is left out, the segment has a point q_i at most `tolerance` pixels
-/// away, with values within p_i's own tolerances, in the same order: the segment runs along the
-/// line. With s_i the greatest distance from the start up to p_i, and s that up to the end, q_i is
-/// at s_i / s of the segment. Distances that fall by little, directions within a cone (J. Sklansky,
-/// V. Gonzalez, "Fast polygonal approximation of digitized curves", 1980) and slopes within an
-/// interval (H. Elmeleegy et al., "Online piece-wise linear approximation of numerical streams with
-/// precision guarantees", 2009) ensure the rest.
+/// For each dropped point p_i, the segment has a point q_i at most `tolerance` pixels away, with
+/// values within p_i's own tolerances, in the same order. With s_i the greatest distance from the
+/// start up to p_i, and s that up to the end, q_i is at s_i / s of the segment. This is ensured by
+/// distances that hardly fall, directions within a cone (J. Sklansky, V. Gonzalez, "Fast polygonal
+/// approximation of digitized curves", 1980) and slopes within an interval (H. Elmeleegy et al.,
+/// "Online piece-wise linear approximation of numerical streams with precision guarantees", 2009).
 class StraightPiece {
 public:
     /// In pixels.
     explicit StraightPiece(float tolerance);
 
     void begin(const SeenPoint& start);
-    /// Whether a segment to `point` can stand for all points since begin(); if so, it is added.
+    /// Whether a segment to `point` can replace all points since begin(); if so, adds the point.
     /// Always true for the first point, never after one behind the eye.
     bool takes(const SeenPoint& point);
 

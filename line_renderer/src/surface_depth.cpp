@@ -19,7 +19,7 @@ Viewport current_viewport() {
     return viewport;
 }
 
-/// All that a picture of some layers depends on.
+/// All that the depths of some layers depend on.
 struct DrawnScene {
     std::vector<SurfaceLayer> layers;
     Eigen::Matrix4d modelview;

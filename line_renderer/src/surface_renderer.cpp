@@ -9,7 +9,7 @@
 namespace line_renderer {
 namespace {
 
-/// How far paint may move to cover wires and points, in diagonals.
+/// Depth bias of paint, to cover wires and points, in diagonals.
 constexpr double kLeastMove = 0.0005;
 constexpr double kGreatestMove = 0.03;
 
@@ -27,9 +27,9 @@ void main()
 }
 )";
 
-// Depth: MeshLab's wires and points are flat on the screen, so on a slope they stand out by what it
-// falls in half their width, and at a fold over the part behind. Only the compared depth is moved;
-// none is written.
+// Depth: MeshLab's wires and points are flat on the screen, so on a slope they stand out by its
+// fall over half their width, and at a fold cover the part behind. Only the compared depth is
+// biased; none is written.
 const char* const kSurfaceFragmentShader = R"(#version 120
 uniform bool is_toon;
 uniform vec2 nearer;  // least and greatest move towards the eye, length in eye coordinates

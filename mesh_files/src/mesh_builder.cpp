@@ -28,7 +28,7 @@ Vector3d normal_of(const std::vector<Vector3d>& polygon) {
     return sum;
 }
 
-/// Of the largest side 1, from the first corner. Empty without a size that is a number.
+/// The polygon scaled to the size 1, relative to its first corner. Empty if its size is not finite.
 std::vector<Vector3d> scaled(const std::vector<Vector3d>& polygon) {
     Vector3d sides = Vector3d::Zero();
     for (const Vector3d& p : polygon)
@@ -55,8 +55,8 @@ bool is_planar(const std::vector<Vector3d>& polygon, const Vector3d& normal) {
                        [&](const Vector3d& p) { return std::abs(normal.dot(p)) < kPlanar; });
 }
 
-/// Cuts a polygon into triangles of the least area together, those that are folded back counting
-/// more: by the best of all ways for each run of corners (Klincsek 1980).
+/// Triangulates a polygon with the least total area, in which triangles that are folded back count
+/// more, by dynamic programming (Klincsek 1980).
 class LeastArea {
 public:
     LeastArea(const std::vector<Vector3d>& polygon, const Vector3d& normal)
@@ -126,7 +126,7 @@ public:
         while (left > 3) {
             if (work < reflex_.size() + 1) return false;
             work -= reflex_.size() + 1;
-            // Without an ear the polygon crosses itself.
+            // A polygon without an ear crosses itself.
             if (is_ear(at) || tried > left) {
                 add(before_[at], at, next_[at]);
                 at = cut_off(at);
@@ -172,9 +172,9 @@ private:
     std::vector<std::size_t> next_, before_, reflex_;
 };
 
-/// Cuts ears (Meisters 1975) off a polygon in its plane; one that crosses itself is cut up somehow.
-/// One that is not planar, unless it has many corners, is cut into the triangles of least area.
-/// `work`, in looks at a corner, is what may still be spent; false if it ran out.
+/// Triangulates a polygon by ear clipping (Meisters 1975); the result is arbitrary if it crosses
+/// itself. Polygons that are not planar, unless they have many corners, get the triangles of least
+/// area. `work`: how many corners may still be visited; false if it ran out.
 bool triangulate(const std::vector<Vector3d>& positions, const std::uint32_t* corners,
                  std::size_t count, std::size_t& work, std::vector<Triangle>& triangles) {
     const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {

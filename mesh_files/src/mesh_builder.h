@@ -18,7 +18,7 @@ public:
     /// @throws Defect for a number that no vertex has
     void add(const std::vector<std::int64_t>& corners);
     void add_triangle(std::int64_t a, std::int64_t b, std::int64_t c);
-    /// Until then, any number may be one of a vertex that follows.
+    /// Faces may have any numbers below, also of vertices that follow.
     void expect_vertices(std::uint64_t count) { expected_ = count; }
     void reserve_vertices(std::size_t count) { mesh_.positions.reserve(count); }
     void reserve_triangles(std::size_t count) { mesh_.triangles.reserve(count); }

@@ -20,7 +20,7 @@ constexpr std::array<Reader, 4> kReaders = {
 
 constexpr std::string_view kUtf8Mark = "\xef\xbb\xbf";
 
-/// With or without a mark, of letters of ASCII.
+/// With or without a byte order mark, for text in ASCII.
 bool is_utf16(std::string_view bytes) {
     const std::string_view begin = bytes.substr(0, 2);
     if (begin == "\xff\xfe" || begin == "\xfe\xff") return true;
@@ -35,7 +35,7 @@ std::string joined(const std::string& remark, std::size_t skipped_faces) {
            "faces skipped that have fewer than three corners: " + std::to_string(skipped_faces);
 }
 
-/// Of a mesh whose faces do not all have a place.
+/// The defect of a mesh with corners that are not finite, or nothing.
 std::string lack_of(const laplacian_lines::TriangleMesh& mesh) {
     const auto is_nowhere = [&](std::uint32_t corner) {
         return !mesh.positions[corner].allFinite();

@@ -64,7 +64,7 @@ private:
                std::end(kOtherStatements);
     }
 
-    /// Other programs have statements of their own. None is a number: that is a damaged line.
+    /// Skips statements of other programs. A number is no statement, but a damaged line.
     void skip(std::string_view statement) {
         if (statement.find_first_of("0123456789") < 2)
             throw Defect{quoted(statement) + " is not a statement of OBJ files"};
@@ -98,7 +98,7 @@ private:
         mesh_.add(corners_);
     }
 
-    /// A face before one of its vertices.
+    /// A face that comes before one of its vertices.
     struct Ahead {
         std::int64_t vertex;
         std::size_t line;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Geomview's OFF: words, as a rule with a vertex or a face per line, colours and normals behind.
+// Geomview's OFF: words, usually a vertex or a face per line, followed by colors and normals.
 #include <algorithm>
 
 #include "mesh_builder.h"
@@ -8,8 +8,8 @@
 namespace mesh_files {
 namespace {
 
-/// Where a vertex or a face ends. Few writers keep to the format, which ends a vertex by the number
-/// of its words and a face with its line.
+/// Where a vertex or a face ends. In the format, a vertex has a fixed number of words, and a face
+/// ends with its line; many writers differ.
 enum class Layout { Lines, Format, Words };
 
 class OffReader {
@@ -24,7 +24,7 @@ public:
         for (std::uint64_t i = 0; i < faces_; ++i)
             read_face(i);
     }
-    /// Comments apart.
+    /// Except for comments.
     bool is_at_end() { return next_word().empty(); }
 
 private:
@@ -35,7 +35,7 @@ private:
         return word;
     }
 
-    /// Or these words in a line.
+    /// A line with at least these words.
     std::string_view demanded_line(std::size_t words, const char* what, std::uint64_t i,
                                    std::uint64_t count) {
         joined_.clear();
@@ -68,7 +68,7 @@ private:
         }
         vertices_ = count_in(next_word());
         faces_ = count_in(next_word());
-        if (layout_ == Layout::Lines)  // few have the number of edges
+        if (layout_ == Layout::Lines)  // many lack the number of edges
             text_.skip_line();
         else
             next_word();
@@ -126,12 +126,12 @@ private:
     const Layout layout_;
     std::uint64_t vertices_ = 0, faces_ = 0;
     std::size_t words_of_vertex_ = 3;
-    std::size_t more_words_ = 0;  // of a vertex, behind its coordinates
+    std::size_t more_words_ = 0;  // after a vertex's coordinates
     std::string joined_;
     std::vector<std::int64_t> corners_;
 };
 
-/// Whether nothing is left over.
+/// Whether this layout uses all bytes.
 bool is_all(std::string_view bytes, Layout layout, MeshBuilder& mesh) {
     Text text(bytes);
     MeshBuilder all;

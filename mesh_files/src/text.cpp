@@ -78,7 +78,7 @@ void Text::put_back(std::string_view end) {
 }
 
 double number_in(std::string_view word) {
-    if (word.find("1.#") < 2) return NAN;  // Microsoft's "-1.#IND" and the like
+    if (word.find("1.#") < 2) return NAN;  // Microsoft's "-1.#IND"
     return parsed<double>(word, "number");
 }
 

@@ -28,9 +28,8 @@ public:
     bool next_line(std::string_view& line);
     /// On any line; empty at the end.
     std::string_view next_word();
-    /// Or what is left of it.
     void skip_line();
-    /// The end of the last word is the next.
+    /// The end of the last word is read again as the next one.
     void put_back(std::string_view end);
 
     std::string_view rest() const { return rest_; }

@@ -26,7 +26,7 @@ private:
 
 namespace {
 
-// A name of our own: all who have asked a view hear each answer.
+// A unique name, since all receivers get each answer.
 const char* const kRequest = "laplacian_lines_current_view";
 
 /// The window of the current document, null without one.

@@ -23,7 +23,7 @@ std::vector<double> option_values(laplacian_lines::PrecomputeOptions options) {
     return values;
 }
 
-/// What the defaults did specially for this mesh, each after a comma; mostly empty.
+/// What the automatic options did for this mesh, each after a comma; mostly empty.
 QString specials_of(const Field& field) {
     QString specials;
     if (field.report.welded_vertices)

@@ -7,7 +7,7 @@
 namespace meshlab_host {
 
 void add_result(const char* name, const Eigen::Vector3d& value, FilterResults& results) {
-#if MESHLAB_API >= 2022  // before, there was neither the type nor anybody who asked
+#if MESHLAB_API >= 2022  // before, there were no results
     results[name] =
         QVariant::fromValue(Point3m(Scalarm(value.x()), Scalarm(value.y()), Scalarm(value.z())));
 #else
@@ -17,7 +17,7 @@ void add_result(const char* name, const Eigen::Vector3d& value, FilterResults& r
 
 namespace {
 
-/// That the filter does not have. MeshLab adds its own, MeshLab::..., to those of a filter.
+/// The given parameters that the filter does not have, without MeshLab's own, MeshLab::...
 QStringList other_parameters(const Filter& filter, const MeshModel& mesh,
                              const RichParameterList& parameters) {
     RichParameterList known;

@@ -8,8 +8,8 @@
 
 namespace meshlab_host {
 
-/// A sum of 64-bit words, each mixed with its place, so that none waits for the one before. Not
-/// cryptographic: any changed bit of a mesh has to show.
+/// A sum of 64-bit words, each mixed with its position, so that words are independent of each
+/// other. Not cryptographic, but sensitive to any changed bit of a mesh.
 class Hash {
 public:
     explicit Hash(std::uint64_t seed) : place_(seed) {}
@@ -33,7 +33,7 @@ std::uint64_t bits(Scalar value) {
     return result;
 }
 
-/// Each word has its own odd factor, so that swaps and shifts between them show.
+/// Each word has its own odd factor, so that swaps between them change the result.
 inline std::uint64_t pack(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
     return a * 0xd6e8feb86659fd93u + b * 0xa0761d6478bd642fu + c * 0xe7037ed1a0b428dbu;
 }

@@ -73,7 +73,7 @@ MLRenderingData lines_only(MeshModel& mesh) {
     return look;
 }
 
-/// MeshLab's toolbar shows how the current layer is drawn, and looks again when told.
+/// Updates MeshLab's toolbar, which shows how the current layer is drawn.
 void refresh_window() {
     for (QWidget* widget : QApplication::topLevelWidgets())
         if (widget->inherits("MainWindow"))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// speed [--benchmark_...] FILE: how long fields, redraws and drawings of a mesh take, beside a
-// plain loop that draws less.
+// speed [--benchmark_...] FILE: times of fields, redraws and drawings of a mesh, and of a simple
+// loop that finds contours, for comparison.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Geometry>
@@ -93,7 +93,7 @@ template <class Work>
 benchmark::internal::Benchmark* add(const std::string& name, Work work) {
     return benchmark::RegisterBenchmark(name.c_str(), [work](benchmark::State& state) mutable {
         std::size_t i = 0;
-        work(i);  // allocates, and finds what is found once
+        work(i);  // warm up: allocations and caches
         for (auto _ : state)
             work(i++);
     });

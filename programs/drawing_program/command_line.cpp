@@ -15,7 +15,7 @@ namespace {
 
 const char* const kFormatOption = "--format";  // of a collection
 
-/// The object that the file's line of provenance begins with.
+/// The JSON object at the start of the file's line of provenance.
 Json provenance_of(const std::string& name) {
     const std::optional<std::string> read = contents_of(name);
     if (!read) refuse("\"" + name + "\" cannot be read.");
@@ -33,7 +33,7 @@ bool is_option(const std::string& word) {
            word.find('=') == std::string::npos;
 }
 
-/// Of an SVG, PDF or DXF file that is to be made again, with options that can be given here.
+/// Reads the provenance of an SVG, PDF or DXF file that is to be drawn again.
 /// @throws laplacian_lines::Error(InvalidOption) if the file has none.
 EarlierDrawing earlier_drawing(const std::string& file) {
     Json object = provenance_of(file);

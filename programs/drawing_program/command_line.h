@@ -11,7 +11,7 @@
 
 using line_drawing::Words;
 
-/// What a drawing says of how it was made, see line_drawing::provenance_text().
+/// The provenance of a drawing, see line_drawing::provenance_text().
 struct EarlierDrawing {
     std::string version;
     std::vector<line_drawing::SourceMesh> meshes;
@@ -23,10 +23,10 @@ struct CommandLine {
     std::string drawing;  ///< the file to write, or of a collection the folder to write into
     Words meshes;         ///< files; in a file, all are drawn together
     bool is_collection = false;
-    /// Of the options as they were given, but for what only a collection has.
+    /// The options as given, without those of collections.
     Words words;
-    std::optional<EarlierDrawing> like;  ///< what is to be drawn again
-    line_drawing::SheetChoices choices;  ///< with the file, or of a collection its ending alone
+    std::optional<EarlierDrawing> like;  ///< the drawing to repeat
+    line_drawing::SheetChoices choices;  ///< with the file, or for a collection its ending
     line_drawing::SheetOptions options;
 };
 
@@ -34,7 +34,7 @@ struct CommandLine {
 CommandLine parse_command_line(Words arguments);
 std::string usage();
 
-/// Says what is not as it was: the meshes, or this program.
+/// Says what differs from the earlier drawing: the meshes, or this program.
 void say_what_differs(const EarlierDrawing& earlier,
                       const std::vector<line_drawing::SourceMesh>& meshes);
 

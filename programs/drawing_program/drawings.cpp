@@ -28,7 +28,7 @@ const char* const kContactName = "contact_sheet";
 constexpr double kBytesPerTriangle = 8e3;
 constexpr double kShareOfFreeMemory = 0.8;
 
-/// File names, those not drawn whole marked by a word before: notes may be cut off at the end.
+/// File names, incomplete ones marked by a word before them, since notes may be truncated.
 std::string note_of(const std::vector<ReadMesh>& meshes) {
     Words names;
     for (const ReadMesh& read : meshes) {
@@ -83,7 +83,7 @@ std::vector<Sheet> draw_into(const std::string& file, const std::vector<ReadMesh
     return sheets;
 }
 
-/// Scans come in metres, too, and files do not tell.
+/// Says the size: scans may be in metres, and files have no unit.
 void say_size(const std::vector<ReadMesh>& meshes, const CommandLine& commands) {
     Eigen::AlignedBox3d box;
     for (const ReadMesh& read : meshes)
@@ -136,7 +136,7 @@ std::vector<Item> items_of(const Words& meshes) {
     return items;
 }
 
-/// Is there as long as this is; what of it was made for this stays if anything is in it.
+/// Creates a folder; removes what it has created at the end, unless there is anything in it.
 class Folder {
 public:
     explicit Folder(const fs::path& name) {

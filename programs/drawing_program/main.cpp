@@ -51,7 +51,7 @@ int wmain(int argc, wchar_t** argv) {
 }
 #else
 int main(int argc, char** argv) {
-    for (const int signal : {SIGXFSZ, SIGPIPE})  // where a quota or a pipe ends, writing says so
+    for (const int signal : {SIGXFSZ, SIGPIPE})  // write() then fails instead
         std::signal(signal, SIG_IGN);
     return run_catching_all({argv + std::min(argc, 1), argv + argc});
 }

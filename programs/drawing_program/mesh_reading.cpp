@@ -57,7 +57,7 @@ Words meshes_of(const Words& named) {
 std::optional<std::string> contents_of(const std::string& name) {
     const fs::path file = fs::u8path(name);
     std::error_code error;
-    const std::uintmax_t size = fs::file_size(file, error);  // of files alone
+    const std::uintmax_t size = fs::file_size(file, error);  // fails for folders and devices
     if (error) return {};
     std::string bytes(size, '\0');
     std::ifstream stream(file, std::ios::binary);

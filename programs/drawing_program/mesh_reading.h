@@ -24,8 +24,8 @@ struct ReadMesh {
     laplacian_lines::TriangleMesh mesh;
     line_drawing::SourceMesh source;
     std::string title;   ///< the file's name without ending
-    std::string defect;  ///< of a damaged file: why the mesh is not whole
-    std::string remark;  ///< what of a sound file was skipped
+    std::string defect;  ///< of a damaged file: why the mesh is incomplete
+    std::string remark;  ///< parts of a valid file that were skipped
 };
 
 /// Reads a PLY, OBJ, STL or OFF file, triangulated. A malformed file is refused, or drawn as far as

@@ -35,11 +35,11 @@ struct CommandError : std::runtime_error {
 // Has the command run again soon, until the time limit of a line is over.
 struct NotYet {};
 
-// What modal boxes are to a command.
+// How a command deals with modal boxes.
 enum class Boxes {
-    Errors,    // it is not begun while there is one, and fails if it brings one up
-    Answered,  // the runner accepts those that it brings up, and notes what they say
-    Subject    // it is begun while there is one
+    Errors,    // it is not started while there is one, and fails if it opens one
+    Answered,  // the runner accepts those that it opens, and records their texts
+    Subject    // it needs one
 };
 
 struct CommandHandler {

@@ -59,9 +59,9 @@ QString refusal() {
     return place < 0 ? QString() : log.mid(place + beginning.size()).section('\n', 0, 0);
 }
 
-/// What the log has to say of meshes, once.
+/// Prints warnings about meshes from the log, once.
 void say_warnings() {
-    static int told = 0;  // characters of the log
+    static int told = 0;  // characters of the log that were read
     const QString log = log_text();
     for (const QString& line : log.mid(log.size() < told ? 0 : told).split('\n'))
         if (line.contains(": Warning: ")) say("warning: " + line.trimmed().toStdString());

@@ -29,13 +29,13 @@ constexpr double kLinePixels = 2;      // an outline lies half outside the form
 constexpr std::size_t kFewPoints = 8;  // each of which may be at a side
 constexpr double kLeastShare = 1e-4;   // of the box of all, of what is in its middle
 
-/// The place alone, in floats, as MeshLab keeps it; it keeps more of a camera.
+/// The position and direction of MeshLab's camera, in floats as there.
 struct CameraPlace {
     Eigen::Matrix3f axes;    // in the scene: rows right, up, and towards the viewer
     Eigen::Vector3f target;  // any point in the middle of the picture
     double distance;         // of the eye from it; if orthographic, half of the picture's height
     double angle;            // from the bottom of the picture to its top; kOrthographicAngle
-    double farthest_behind = 0;  // how far behind the target there is something to be seen
+    double farthest_behind = 0;  // depth of the scene behind the target
 };
 constexpr double kPerspectiveAngle = 60, kOrthographicAngle = 5;  // degrees, as MeshLab has them
 
@@ -65,7 +65,7 @@ Eigen::AlignedBox3d box_of(const Points& points) {
     return box;
 }
 
-/// Of the points' box, without a hundredth of them on each side.
+/// Diagonal of the points' bounding box, without a hundredth of them on each side.
 double diagonal_of_most(const Points& points) {
     const std::size_t aside = points.size() / 100 + 1;
     if (points.size() < kFewPoints) return box_of(points).diagonal().norm();

@@ -15,8 +15,8 @@ namespace driver {
 QMainWindow* main_window();          // null before it exists
 QMainWindow* require_main_window();  // CommandError when there is none
 
-// Of the current document: the chosen one of the GL views from upper left to lower right, the first
-// by default. Null when there is none.
+// The chosen GL view of the current document, counted from upper left to lower right; the first by
+// default. Null when there is none.
 QGLWidget* view();
 QGLWidget* require_view();
 void choose_view(int index);

@@ -20,7 +20,7 @@ std::string describe(const Command& command) {
 }
 
 [[noreturn]] void end_at(const Command& command, const std::exception& why) {
-    say(std::string("reason: ") + why.what());  // alone, for ./run to tell its user
+    say(std::string("reason: ") + why.what());  // on a line of its own, for ./run
     end_with_error(describe(command) + ": " + why.what());
 }
 

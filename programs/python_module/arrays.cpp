@@ -11,7 +11,7 @@ using namespace laplacian_lines;
 
 namespace {
 
-/// Of the numbers read(row, column), which it owns; flat if it has one column.
+/// An array that owns the numbers read(row, column); one-dimensional if it has one column.
 template <class Number, class Read>
 nb::object array(std::size_t rows, std::size_t columns, const Read& read) {
     auto* numbers = new std::vector<Number>;

@@ -125,7 +125,7 @@ nb::dict visible_lines(Surface& surface, const Direction& eye, double w,
     }));
 }
 
-/// Of a picture with these axes; the light is in them.
+/// The strokes of a picture with these axes, which are also those of the light.
 nb::dict strokes(Surface& surface, const std::array<Direction, 3>& axes,
                  const std::optional<Direction>& eye, const std::optional<Direction>& light,
                  const Values& values, double size) {

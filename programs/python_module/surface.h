@@ -18,7 +18,7 @@ namespace python_module {
 
 using namespace laplacian_lines;
 
-/// A mesh, its field, and what lines need of them, made on demand. Thread-safe.
+/// A mesh, its field, and what lines need of them, computed on demand. Thread-safe.
 class Surface {
 public:
     /// @throws laplacian_lines::Error as precompute()
@@ -41,7 +41,8 @@ public:
     const FieldScale& scale() const { return field_.scale; }
     const MeshReport& report() const { return field_.report; }
 
-    /// All lines of a view as LineExtractor::extract(), none of them called hidden or an outline.
+    /// All lines of a view as LineExtractor::extract(), none of them marked as hidden or an
+    /// outline.
     std::vector<SightLine> lines(const View& view, const LineStyle& style,
                                  const Progress& progress) {
         const std::lock_guard using_parts(parts_);

@@ -120,8 +120,8 @@ def check_coverage():
 
 
 def fuzz(seconds, corpus):
-    """From fixed seeds and the corpus of this name; "new" is what is forgotten, so that runs are alike. Inputs made up by
-    libFuzzer; interesting new ones go to the corpus."""
+    """Fuzzes from fixed seeds and the corpus of this name, to which libFuzzer adds interesting inputs; "new" is cleared first,
+    so that runs are alike."""
     folder, programs, jobs, counts = checks_folder() / "fuzz", checks_folder() / "tests/fuzz", [], []
     options = {"env": {**os.environ, "ASAN_OPTIONS": "detect_leaks=0", "LAPLACIAN_LINES_THREADS": "1",
                        "LLVM_PROFILE_FILE": "/dev/null"}}
@@ -147,13 +147,13 @@ def fuzz(seconds, corpus):
 
 
 def fuzz_alone(seconds):
-    """Keeps what it learnt in the build folder."""
+    """Keeps its corpus in the build folder."""
     build_with_clang("sanitizers", *FUZZERS)
     return fuzz(seconds, "corpus")
 
 
 def core_tests(build, names, **environment):
-    """What GoogleTest says last of those tests of the core."""
+    """Runs these tests of the core; returns GoogleTest's last line."""
     log = build / "core_tests.log"
     if not quietly(log, [build / "tests/core/core_tests", "--gtest_brief=1", f"--gtest_filter={names}"],
                    env={**os.environ, **environment}):

@@ -23,8 +23,8 @@ def compiled_folder():
 
 
 def publish_into(folder, fill):
-    """Has fill(SCRATCH) fill a folder, renamed to `folder` if that returns true, so that an interrupted run leaves
-    nothing half done that later runs would trust. Returns whether it did."""
+    """Has fill(SCRATCH) fill a folder, renamed to `folder` if that returns true, so that an interrupted run leaves no
+    incomplete folder for later runs. Returns whether it did."""
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(prefix=folder.name + ".", dir=folder.parent) as name:
@@ -41,9 +41,8 @@ def publish_into(folder, fill):
 
 
 def put_file(data, target, mode=None):
-    """Writes bytes, or a copy of the file of this path, as `target`, or as what that links to, with the usual rights or
-    those of `mode`. What was there is whole until it is replaced, and stays if there is no room; into devices and pipes
-    is written."""
+    """Atomically writes bytes, or a copy of the file of this path, as `target`, or as what that links to, with the usual
+    rights or those of `mode`. An existing file stays if the disk is full; devices and pipes are written directly."""
     place = pathlib.Path(os.path.realpath(target))
     if place.is_dir() or not place.parent.is_dir():
         raise Failure(f"cannot write {target}: {'it is a folder' if place.is_dir() else 'there is no such folder'}")
@@ -67,8 +66,8 @@ def put_file(data, target, mode=None):
 
 @contextlib.contextmanager
 def turn(folder):
-    """Locks a folder against other scripts: ./run and ./test may be called at once in one checkout. The lock also ends
-    with its script, when the last of its programs ends."""
+    """Locks a folder against other scripts: ./run and ./test may be called at once in one checkout. A killed script's lock
+    ends with the last of its programs."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
         lock = (folder / ".lock").open("ab")

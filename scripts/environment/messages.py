@@ -15,7 +15,7 @@ class Failure(Exception):
 
 
 class Obstacle(Exception):
-    """Something cannot be had here, which is no error of the script: the caller decides."""
+    """Something is not available here, which is no error of the script: the caller decides."""
 
 
 def say(text):

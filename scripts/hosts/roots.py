@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Other releases of Debian in folders ("roots"), to build and test with the MeshLab that they package. Made by
-debootstrap from the mirror that this machine's apt uses, and entered in namespaces of their own: whatever is mounted
-there is gone when the last process ends, however it ends. What cannot be had raises Obstacle."""
+debootstrap from the mirror that this machine's apt uses, and entered like a chroot in namespaces of their own: mounts
+there end with the last process. What is not available raises Obstacle."""
 
 import contextlib
 import fcntl

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The folder from which MeshLab 2022.02 and later load plugins added by the user; what is called as ours there is ours."""
+"""The folder from which MeshLab 2022.02 and later load plugins added by the user; ours are recognized by name."""
 
 import os
 import pathlib

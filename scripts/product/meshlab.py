@@ -17,15 +17,15 @@ DRIVER_ERROR = 3  # the exit code of MeshLab when the driver ends it
 
 
 def is_odd_name(name):
-    """Refuses what means something else to the driver, whose lines are UTF-8, or to MeshLab, whose names are in the
-    user's locale."""
+    """Whether a name cannot be written in a line of the driver, which is UTF-8, or in the user's locale, as MeshLab has
+    names."""
     with contextlib.suppress(locale.Error):
         locale.setlocale(locale.LC_CTYPE, "")
     return not name.isprintable() or not (name.isascii() or locale.nl_langinfo(locale.CODESET) == "UTF-8")
 
 
 def drivable_mesh(name, folder):
-    """As prepare_mesh(), but a link if its name is an odd one."""
+    """As prepare_mesh(), but a link with another name if needed."""
     mesh = prepare_mesh(name, folder)
     if not is_odd_name(str(mesh)):
         return mesh

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""./run --server: MeshLab 2020.09's own meshlabserver, with what it lacks said; later ones have none, and PyMeshLab runs
+"""./run --server: MeshLab 2020.09's own meshlabserver, whose failures are reported; later ones have none, and PyMeshLab runs
 the scripts."""
 
 import contextlib

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Meshes to show: the user's, or the Stanford dragon, or one of our own making when it cannot be had."""
+"""Meshes to show: the user's, or the Stanford dragon, or a generated one if it is not available."""
 
 import gzip
 import math

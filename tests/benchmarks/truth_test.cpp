@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scores of drawings whose faults are known: they fall where a line is missing, or one too many.
+// Scores of drawings with known faults: they fall if a line is missing or added.
 #include <gtest/gtest.h>
 
 #include "places.h"

@@ -320,7 +320,7 @@ TEST(Creases, AreHardlyAnyOnNoisyScans) {
     }
 }
 
-/// Its faces are flat and of several triangles then, as those of what was made are.
+/// Its faces then are flat and of several triangles, as those of CAD meshes are.
 TEST(Creases, AreHardlyAnyOnScansThatWereSubdivided) {
     for (const double noise : {0.06, 0.1}) {
         const TriangleMesh scan = test_meshes::with_noise(test_meshes::bumpy_sphere(5).mesh, noise);
@@ -334,7 +334,7 @@ TEST(Creases, AreHardlyAnyOnScansThatWereSubdivided) {
 }
 
 /// Of a part whose fillets are as wide as its triangles, where edges sharper than the least angle
-/// come singly, to and fro, and in loops.
+/// are isolated, in zigzags and in loops.
 TEST(Creases, AreLeftToRidgesOnFilletsOfFewTriangles) {
     const auto drawn = [&](const TriangleMesh& mesh, std::initializer_list<LineKind> kinds) {
         LineStyle style = creases_alone();
@@ -375,7 +375,7 @@ TEST(Creases, AreTheEdgesOfSmallForms) {
     }
 }
 
-/// The contour is there, so an edge between a face that is seen and one that is not is left out.
+/// An edge between a visible face and a hidden one is a contour there.
 TEST(Creases, AreLeftOutOnTheHorizon) {
     for (const int cells : {1, 10})
         for (const Eigen::Vector3d& eye :

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every ErrorCode, with a sentence for the user, and nothing changed.
+// Every ErrorCode has a sentence for the user and changes nothing.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -122,7 +122,7 @@ LineStyle all_crossings() {
     style.segment_slope = style.line_slope = 0;
     style.shortest_line = style.shortest_contour = 0;
     style.least_facing = -1;
-    style.contour_clearance = 0;  // leaves out what faces away
+    style.contour_clearance = 0;  // which would drop lines that face away
     style.exact_outlines = false;
     return style;
 }

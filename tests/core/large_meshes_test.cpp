@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshes on which a careless step is quadratic. What takes more than a second or two only runs with
-// LAPLACIAN_LINES_LARGE=1.
+// Meshes on which a careless step would be quadratic. Tests of more than a second or two only run
+// with LAPLACIAN_LINES_LARGE=1.
 #include <gtest/gtest.h>
 
 #include <cmath>

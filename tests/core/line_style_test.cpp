@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each threshold keeps and drops, mostly on a plane with a made-up field, whose only line has
-// known gradient, slope, facing, length and strength; single strokes; a light that is not at the
-// eye.
+// What each threshold keeps and drops, mostly on a plane with a synthetic field, whose only line
+// has known gradient, slope, facing, length and strength; single strokes; a light that is not at
+// the eye.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -152,7 +152,7 @@ TEST(LineVisibility, ContoursEndAtCusps) {
         wrong += v.dot(truth.shape_operator * v) < -0.1;
     }
     EXPECT_GT(seen.points.size(), 500u);
-    EXPECT_LE(wrong, 20);  // contours of triangles run to and fro there
+    EXPECT_LE(wrong, 20);  // contours of triangles zigzag there
 }
 
 // --- lines of few points

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshes as files hold them: with dirt, with surfaces cut open by duplicated vertices, with
-// triangles that were all cut in four at the middles of their sides. Field and lines are those of
-// the mesh meant.
+// Meshes as files hold them: with invalid elements, with surfaces cut open by duplicated vertices,
+// with midpoint subdivisions. Field and lines are those of the repaired mesh.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -181,7 +180,7 @@ TEST(Stitching, LeavesWhatMerelyTouches) {
     EXPECT_EQ(welded(book), 0u);
 }
 
-/// They share a hash without being equal: a plain look-up would take hours.
+/// They share a hash without being equal: a simple look-up would take hours.
 TEST(Stitching, PassesOverVerticesThatAreNotNumbers) {
     TriangleMesh mesh = mesh_named("half_torus").mesh;
     mesh.positions.resize(mesh.positions.size() + 1000000, Eigen::Vector3d::Constant(std::nan("")));

@@ -10,8 +10,8 @@
 #include "laplacian_lines/triangle_mesh.h"
 #include "laplacian_lines/view.h"
 
-/// What the paper and the public headers say, plainly: double precision, all pairs of vertices, one
-/// loop over all triangles. For clean meshes.
+/// A straightforward implementation of the paper and the public headers: double precision, all
+/// pairs of vertices, one loop over all triangles. For clean meshes.
 namespace reference {
 
 using laplacian_lines::TriangleMesh;
@@ -41,8 +41,8 @@ struct Line {
 
 /// Zeros of Δn·l, n·l or of the radial curvature, linear in each triangle, that are steep enough,
 /// joined to lines, and those of them that are long and strong enough. `kind`: Laplacian, Contour,
-/// SuggestiveContour or SuggestiveHighlight. Of the style, Single Strokes, Whole Lines, Detail and
-/// what fades or moves lines are not looked at.
+/// SuggestiveContour or SuggestiveHighlight. Ignores Single Strokes, Whole Lines, Detail and what
+/// fades or moves lines.
 std::vector<Line> zero_lines(const TriangleMesh& mesh, const laplacian_lines::Field& field,
                              const laplacian_lines::View& view,
                              const laplacian_lines::LineStyle& style,

@@ -9,7 +9,8 @@
 #include "laplacian_lines/line_set.h"
 #include "laplacian_lines/triangle_mesh.h"
 
-/// What the core promises for any input: the first broken promise in words, or nothing.
+// Checks what the core guarantees for any input. Each function returns the first violated guarantee
+// as text, or nothing.
 namespace wild {
 
 std::string complaint(const laplacian_lines::TriangleMesh& mesh,

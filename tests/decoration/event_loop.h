@@ -14,7 +14,6 @@ inline void wait(int milliseconds) {
     loop.exec();
 }
 
-/// Shown.
 class CountingWidget : public QWidget {
 public:
     CountingWidget() {

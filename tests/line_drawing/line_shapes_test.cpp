@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines are smoothed within a part of their pen; specks go; curves stay near lines. Lines that
-// double others go, hooks at ends too; ends meet the lines that they head for.
+// Lines are smoothed within a part of their pen; specks, duplicates and hooks at ends are removed;
+// curves stay near lines; ends are extended to the lines that they head for.
 #include "strokes/strokes.h"
 
 #include <gtest/gtest.h>
@@ -207,9 +207,9 @@ TEST(Overlaps, ALineAlongAnOutlineIsLeftOutThereOnly) {
     EXPECT_LE(rest[1].points.back().position.x(), 2 * kDoubleReach);
 }
 
-/// A step between two edges that end on different lines has no white beside it, but joins them.
-/// Also an edge that has passed the line it met, and two that have passed each other, as where a
-/// hub's rims are cut into triangles at different places.
+/// A short step between two edges that end on different lines joins these. Also an edge that has
+/// passed the line it met, and two that have passed each other, as where a hub's rims are cut into
+/// triangles at different places.
 TEST(Overlaps, EdgesDoNotGoPastTheirCorners) {
     std::vector<DrawnLine> lines = {line(LineClass::Contour, {{0, 0}, {0, 10.05}}),
                                     line(LineClass::Contour, {{-9, 10}, {0, 10}})};
@@ -268,7 +268,7 @@ TEST(EndHooks, AreCutAtBothEnds) {
 }
 
 TEST(EndHooks, AreNoBendsOfTheFeature) {
-    EXPECT_NEAR(length_without_hooks({hooked(1, 40)}), 11, 1e-6);   // slight
+    EXPECT_NEAR(length_without_hooks({hooked(1, 40)}), 11, 1e-6);   // a gentle bend
     EXPECT_NEAR(length_without_hooks({hooked(5, 100)}), 15, 1e-6);  // long
 }
 

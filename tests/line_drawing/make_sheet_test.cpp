@@ -181,7 +181,7 @@ TEST(ContactSheets, HoldAllViewsWithoutOverlapOnOnePage) {
 
 TEST(ContactSheets, TellSizes) {
     const ContactEntry entry = entry_of(cube_of100(), "cube");
-    EXPECT_EQ(entry.view.groups.size(), 1u);  // one view, no furniture
+    EXPECT_EQ(entry.view.groups.size(), 1u);  // one view, no annotations
     EXPECT_EQ(make_contact_sheet({entry}, "").groups[0].layers.back().texts[1].text,
               "100.0 × 100.0 × 100.0 mm");
 }

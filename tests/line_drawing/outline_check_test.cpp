@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Outlines are closed and whole; missing parts are found by independent means.
+// Outlines are closed and complete; missing parts are found by an independent check.
 #include "sight/observer.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The array that lines are handed over to OpenGL in, without the points that are not seen.
+// The array in which lines are passed to OpenGL, without points that make no visible difference.
 #include "line_stream.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What OpenGL lacks is refused with a reason each time, without another try; older versions'
-// extensions are used.
+// Missing features of OpenGL are refused with a reason each time, without another try; extensions
+// of older versions are used.
 #include "gl_functions.h"
 #include "gl_test.h"
 #include "line_renderer/surface_renderer.h"

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""judge.py PROGRAM [--run RUN] [--only REGEX] [--pictures FOLDER]: shapes that nobody tuned, drawn by the command with
-its defaults, and judged from outside: by rsvg-convert, OpenCV and trimesh, by none of the product's code. Prints each
-case with its figures; ends with 1 if one is wrong. --run: ./run, for pictures of MeshLab's window. --pictures: what is
-wrong, in red, as PNG files."""
+"""judge.py PROGRAM [--run RUN] [--only REGEX] [--pictures FOLDER]: shapes for which nothing was tuned, drawn by the command
+with its defaults, and checked by rsvg-convert, OpenCV and trimesh, by none of the product's code. Prints each case with its
+figures; ends with 1 if one is wrong. --run: ./run, for pictures of MeshLab's window. --pictures: PNG files that show errors
+in red."""
 
 import argparse
 import gzip
@@ -315,7 +315,7 @@ def judge_part(keep, mesh, view, is_polyhedron):
     drawing = drawn([in_stl(mesh)], "--views", view)
     size = np.ptp(mesh.vertices @ frame(view).T, axis=0)[:2] * drawing.scale
     off = np.abs(drawing.size - size - OUTLINE).max()
-    is_right = off < (0.15 if is_polyhedron else 0.25) and size.max() > FULL_PEN  # round contours are eased
+    is_right = off < (0.15 if is_polyhedron else 0.25) and size.max() > FULL_PEN  # round contours are smoothed
     yield f"{size[0]:.1f} x {size[1]:.1f} mm, off by {off:.2f}", is_right
     thinnest, share = outline(drawing, mesh, view, keep)
     yield f"outline: at least {thinnest:.2f} mm of ink, {share:.4f} whole", share == 1

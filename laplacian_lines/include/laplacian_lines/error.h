@@ -16,8 +16,7 @@ enum class ErrorCode {
     Cancelled,      ///< the progress callback asked to stop
 };
 
-/// The core throws nothing else but std::bad_alloc. what() is one sentence that tells the user what
-/// to do.
+/// The core throws nothing else but std::bad_alloc. what() is a sentence with what the user can do.
 class Error : public std::runtime_error {
 public:
     Error(ErrorCode code, const std::string& message) : std::runtime_error(message), code_(code) {}

@@ -24,12 +24,12 @@ struct ShapeOperator {
 struct FieldScale {
     double diagonal = 0;      ///< D, bounding-box diagonal of the usable mesh, mesh units
     double mean_edge = 0;     ///< ē, mesh units
-    double kernel_size = 0;   ///< √h that was used (before adaptation), mesh units
+    double kernel_size = 0;   ///< √h that was used, before adaptation, mesh units
     double normal_sigma = 0;  ///< standard deviation of the normal smoothing, mesh units
 };
 
 /// The view-independent field of a mesh: one entry per input vertex, in input order, always finite.
-/// Vertices that were left out hold zeros.
+/// Vertices that were dropped hold zeros.
 struct Field {
     std::vector<Eigen::Vector3f> normals;            ///< outward, unit, smoothed
     std::vector<Eigen::Vector3f> laplacian_normals;  ///< Δn, 1/length²; −(k1²+k2²) n + ∇(k1+k2)

@@ -20,12 +20,12 @@ struct FieldColumn {
     const char* key;                           ///< the name of the vector
     const char* help;                          ///< what it holds, within a sentence
     const char* unit;                          ///< empty if it has none
-    int floats;                                ///< a vertex
+    int floats;                                ///< per vertex
     std::array<FieldAttribute, 2> attributes;  ///< which hold the floats in their order
     bool optional;                             ///< may be absent: a vector without entries
 
     std::size_t (*size)(const Field&);  ///< entries
-    /// Keeps the values there were; new ones are unspecified.
+    /// Keeps existing values; new ones are unspecified.
     void (*resize)(Field&, std::size_t entries);
     /// size · floats of them, entry by entry, valid until the vector is resized.
     const float* (*read)(const Field&);

@@ -29,7 +29,7 @@ private:
 
 /// Extracts the lines of one mesh for any view. Built once from a mesh and its field, which need
 /// not outlive it. Source: Zhang, He, Xie, Chen, "Laplacian Lines for Real-Time Shape
-/// Illustration", section on extraction; where we deviate is said at the members of LineStyle.
+/// Illustration", section on extraction; the members of LineStyle say where we deviate.
 class LineExtractor {
 public:
     /// Values of the field that are not finite count as zero.
@@ -46,7 +46,7 @@ public:
                  LineSet& lines) const;
 
     /// Adds what kinds with LineKindDescription::needs_derivatives read, as if the field had had
-    /// its derivatives from the start. Not while another thread extracts. Strong guarantee.
+    /// derivatives from the start. Not while another thread extracts. Strong exception guarantee.
     /// @throws Error(FieldMismatch)
     void add_derivatives(const TriangleMesh& mesh, const Field& field);
 

@@ -13,12 +13,12 @@ enum class LineKind : std::uint32_t {
     Contour,              ///< where the surface turns away from the eye
     Ridge,                ///< convex crest lines
     Border,               ///< where the surface ends
-    Crease,               ///< edges of the mesh that are edges of the form
+    Crease,               ///< edges of the mesh that are sharp edges of the form
     Valley,               ///< concave crest lines
-    DemarcatingCurve,     ///< where reliefs turn from hollow to bulging
-    SuggestiveContour,    ///< contours of a view nearby
-    SuggestiveHighlight,  ///< their counterparts in the light
-    ApparentRidge,        ///< where curvature as it is seen is largest
+    DemarcatingCurve,     ///< where reliefs turn from concave to convex
+    SuggestiveContour,    ///< contours of nearby views
+    SuggestiveHighlight,  ///< their counterparts on lit sides
+    ApparentRidge,        ///< where the view-dependent curvature is largest
     PhoticExtremum,       ///< where the illumination changes most
 };
 
@@ -30,7 +30,7 @@ enum class LineGradient {
     Angle,         ///< by which the surface turns, degrees
 };
 
-/// A kind, but for what finds its lines. Names are plain ASCII.
+/// Names and defaults of a kind. ASCII.
 struct LineKindDescription {
     LineKind kind;
     const char* key;    ///< identifier in scripts, stable between versions
@@ -40,12 +40,12 @@ struct LineKindDescription {
     const char* many;   ///< several
     LineGradient gradient;
     bool is_outline = false;         ///< bounds the form; the others describe what is inside
-    bool depends_on_view = false;    ///< otherwise only which parts are seen does
-    bool is_on_horizon = false;      ///< where the surface turns away, to either side of it
+    bool depends_on_view = false;    ///< otherwise only its visibility does
+    bool is_on_horizon = false;      ///< where the surface turns away from the eye
     bool shown = true;               ///< by default
-    bool needs_derivatives = false;  ///< none without Field::has_derivatives()
+    bool needs_derivatives = false;  ///< needs Field::has_derivatives()
     std::uint32_t color = 0;         ///< by default, 0xRRGGBB
-    std::uint32_t key_color = 0;     ///< where many kinds are drawn; 0: as all that have none
+    std::uint32_t key_color = 0;     ///< where many kinds are drawn; 0: the common line color
     double width = 1;                ///< by default, in widths of a Laplacian line of full weight
 
     // Modifiers for rows of the table.

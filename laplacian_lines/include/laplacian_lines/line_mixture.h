@@ -15,7 +15,7 @@ struct LineMixture {
     const char* key;      ///< identifier in scripts, stable between versions
     const char* label;    ///< in dialogs
     LineKindSet kinds;    ///< that are drawn
-    LineKindSet colored;  ///< of them, those that have their key_color, not that of the others
+    LineKindSet colored;  ///< those among them that are drawn in their key_color
 };
 
 constexpr LineKindSet only_kinds(std::initializer_list<LineKind> kinds) {
@@ -30,7 +30,7 @@ constexpr LineKindSet outlines_and(std::initializer_list<LineKind> kinds) {
            LineKindSet::where([](const LineKindDescription& row) { return row.is_outline; });
 }
 
-/// Kinds with a color of their own, to tell them apart.
+/// Kinds with a key_color.
 constexpr LineKindSet kinds_with_key_color() {
     return LineKindSet::where([](const LineKindDescription& row) { return row.key_color != 0; });
 }

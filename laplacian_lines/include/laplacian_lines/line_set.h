@@ -13,9 +13,9 @@ namespace laplacian_lines {
 struct LinePoint {
     Eigen::Vector3f position;  ///< mesh coordinates, less the set's origin
     float weight;              ///< 0..1, share of the full line width
-    float gradient;  ///< ‖∇I‖·D, dimensionless, of contours for the light at the eye, and 0 at a
-                     ///< vertex whose edges they follow; of ridges and creases an angle, degrees
-    float opacity;  ///< 0..1; lines that are about to vanish are nearly transparent
+    float gradient;  ///< see LineKindDescription::gradient; of contours for the light at the eye, 0
+                     ///< at vertices whose edges they follow
+    float opacity;   ///< 0..1; lines that are about to vanish are nearly transparent
 };
 
 /// A traced line: points[first .. first+count) of its LineSet. A closed one repeats its first
@@ -34,7 +34,8 @@ struct Polyline {
 struct LineSet {
     std::vector<LinePoint> points;
     std::vector<Polyline> lines;
-    /// Mesh coordinates. Zero unless the mesh is so far from it that floats would be coarse there.
+    /// Mesh coordinates. Zero unless the mesh is so far from zero that floats would be coarse
+    /// there.
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
 
     void clear() {

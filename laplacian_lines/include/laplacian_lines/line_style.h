@@ -21,16 +21,15 @@ struct LineStyle {
     /// ∇(ΔI)·∇I > 0. The paper has no such test.
     bool reject_phantoms = true;
     /// Keep only lines where the surface is concave towards the light, l·∇I = l·S l < 0: one line
-    /// in a groove, one at the foot of each flank of a ridge. The paper also draws their companions
-    /// on the convex forms beside them.
+    /// in a groove, one at the foot of each flank of a ridge. The paper also draws the parallel
+    /// lines on the convex forms beside them.
     bool single_strokes = true;
     /// The slope of a crossing is ‖∇(ΔI)‖ · h_e^1.5, h_e = h + σ²/2 (kernel and normal smoothing).
     double segment_slope = 0.004;  ///< least slope of a segment
     double line_slope = 0.012;     ///< least mean slope of a line
-    /// Trace Laplacian lines whole and let means along them say which parts are drawn: all
-    /// thresholds on segments, Single Strokes and phantoms. Otherwise each crossing is tested
-    /// alone, as in the paper, which leaves dashes where detail finer than the kernel changes S.
-    /// See src/rules/line_parts.h.
+    /// Trace Laplacian lines whole and test means along them: all thresholds on segments, Single
+    /// Strokes and phantoms. Otherwise each crossing is tested alone, as in the paper, which leaves
+    /// dashes where detail finer than the kernel changes S. See src/rules/line_parts.h.
     bool whole_lines = false;
     /// With single_strokes: least cosine between −∇I and the tangential part of l at a crossing of
     /// a whole line. −1: texture finer than the kernel cuts nothing, at a cost in time.
@@ -45,9 +44,9 @@ struct LineStyle {
     /// threshold to full opacity at (1 + fading) times it. 0: no fading.
     double fading = 1;
     double end_length = 0.01;  ///< length over which open ends of lines fade, in D
-    /// Laplacian lines this near to a contour, in D on the picture, only double it: they fade out,
-    /// down to nothing at half the distance. Only if contours are drawn and the light is at the
-    /// eye.
+    /// Laplacian lines nearer to a contour than this, in D in the picture, only double it: they
+    /// fade out, to nothing at half the distance. Only if contours are drawn and the light is at
+    /// the eye.
     double contour_clearance = 0.001;
     LineKindSet shows = LineKindSet::defaults();  ///< which kinds are drawn
     /// Draw contours along mesh edges, between triangles that face the eye and those that do not,
@@ -59,11 +58,11 @@ struct LineStyle {
     /// counts against it. Weaker parts go on down to half.
     double ridge_angle = 10;
     /// Least angle between the normals of two triangles, degrees, whose edge is a crease whatever
-    /// surrounds it. Edges of 3 degrees and more that are not facets of the faces around count as
-    /// 40.
+    /// surrounds it. Smaller angles, from 3 degrees on, count as 40 where the faces around do not
+    /// explain them.
     double crease_angle = 40;
-    /// Least demarcation, degrees: how fast the curvature across the curve changes, C(g,g,g), times
-    /// h_e, the square of the scale that normals and C are seen at.
+    /// Least strength of a demarcating curve, degrees: C(g,g,g), the change of curvature across it,
+    /// times h_e.
     double demarcation = 4;
     /// Least (x h_e)^1.5 at a suggestive contour, x the derivative of the radial curvature towards
     /// the eye over n·v; twice that at a highlight.

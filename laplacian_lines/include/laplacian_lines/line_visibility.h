@@ -15,8 +15,8 @@
 
 namespace laplacian_lines {
 
-/// How far, in D, a point of a line is moved towards the eye before depths can hide it. Contours
-/// move by this many mean edges at least: they follow smoothed normals, beyond the triangles'
+/// Depth bias of lines: how far a point is moved towards the eye before the depth test, in D; for
+/// contours at least so many mean edges, since they follow smoothed normals, beyond the triangles'
 /// horizon.
 constexpr double kSightClearance = 0.003;
 constexpr double kContourSightClearance = 1.5;
@@ -25,7 +25,7 @@ constexpr double kContourSightClearance = 1.5;
 /// usual; 0 where contours follow the edges of the mesh, as on coarse ones.
 double sight_edge(const Field& field);
 
-/// In the unit of `diagonal` and `sight_edge`.
+/// In the unit of `diagonal` and `sight_edge`, see there.
 inline double sight_clearance(LineKind kind, double diagonal, double sight_edge) {
     const double beyond = describe(kind).is_on_horizon ? kContourSightClearance * sight_edge : 0;
     return beyond > kSightClearance * diagonal ? beyond : kSightClearance * diagonal;
@@ -49,9 +49,9 @@ struct SightOptions {
     LineKindSet shows = LineKindSet::defaults();
     /// As LineStyle::line_smoothing: of lines on the surface, and in space of smooth contours.
     double line_smoothing = 1.2;
-    bool has_hidden = false;  ///< also what is hidden of the mesh's edges
-    /// Lines go on as in the picture, at a contour from the surface before it to the one behind, so
-    /// that outlines are closed. Otherwise as in space, each of one kind.
+    bool has_hidden = false;  ///< also the hidden parts of the mesh's edges
+    /// Join lines that meet in the picture, even across a jump in depth, so that outlines are
+    /// closed. Otherwise only lines of one kind that meet in space.
     bool in_picture = false;
     /// As LineStyle::shortest_contour, D: of contours and borders that meet no others.
     double shortest_contour = 0;
@@ -59,7 +59,7 @@ struct SightOptions {
 
 constexpr std::uint32_t kNoSightNode = 0xffffffffu;
 
-/// A point of a line that is seen or hidden as a whole.
+/// A point of a line, all of which is visible or hidden.
 struct SightPoint {
     Eigen::Vector3d position;         ///< mesh coordinates
     float weight, gradient, opacity;  ///< as of LinePoint
@@ -69,13 +69,13 @@ struct SightPoint {
     bool is_exact;
 };
 
-/// From a junction to the next one.
+/// A line of a view from one junction to the next.
 struct SightLine {
     LineKind kind;
     bool closed;  ///< ends with a copy of its first point
     bool is_hidden;
     bool is_outline;  ///< nothing is on one side of it: the outlines of a view are closed
-    /// Contours and borders: how far behind them the surface is at most, mesh units.
+    /// Contours and borders: largest depth from them to the surface behind, mesh units.
     float jump;
     float strength, slope;  ///< of the whole line that it is part of, see Polyline
     std::vector<SightPoint> points;
@@ -84,16 +84,15 @@ struct SightLine {
 /// Appends a line to a set, less its origin; `diagonal`: D, mesh units.
 void append(const SightLine& line, double diagonal, LineSet& to);
 
-/// Lines, cut where they come into sight or go out of it.
+/// Lines, cut where their visibility changes.
 struct LineParts {
     LineSet seen, hidden;
 };
 
-/// Which parts of lines are seen from an eye, exactly. Contours, borders, creases and cuts are mesh
-/// edges, other lines lie on triangles. All are split where they cross contours and borders in the
-/// picture, and one ray decides about each piece: see docs/algorithms.md. For meshes of any
-/// topology and winding, which need not outlive this. Thread-safe; any number of threads gives the
-/// same.
+/// Exact visibility of lines. Contours, borders, creases and intersections are mesh edges, other
+/// lines lie on triangles. All are split where they cross contours and borders in the picture, and
+/// one ray decides about each piece: see docs/algorithms.md. For meshes of any topology and
+/// winding, which need not outlive this. Thread-safe; any number of threads gives the same.
 class LineVisibility {
 public:
     /// @throws Error(InvalidMesh, Cancelled)
@@ -106,8 +105,9 @@ public:
     /// Segmentation Using Generalized Winding Numbers", 2013) is above 1/2. Works with holes.
     bool encloses(const Eigen::Vector3d& point) const;
 
-    /// What is seen of the mesh's own edges and of `lines`: a set from extract_on_surface() for
-    /// each object of the mesh. @throws Error(Cancelled)
+    /// The visible parts of the mesh's own edges and of `lines`, a set from extract_on_surface()
+    /// for each object of the mesh; hidden parts if the options ask for them. @throws
+    /// Error(Cancelled)
     std::vector<SightLine> look(const View& view, const std::vector<LineSet>& lines,
                                 const SightOptions& options, const Progress& progress = {}) const;
 

@@ -8,10 +8,9 @@
 
 namespace laplacian_lines {
 
-/// What users should know of a mesh, because its drawing is likely to disappoint or is not of the
-/// mesh as it is, and can mend.
+/// Faults that spoil the drawing, or were repaired for it, and that users can repair in the mesh.
 enum class MeshFault {
-    Torn,         ///< so many borders that it is hardly a surface: pieces that do not hang together
+    Torn,         ///< so many borders that it is hardly a surface, but loose pieces
     Disagreeing,  ///< neighbours disagree about which side is outside, and cannot agree
     InsideOut,    ///< nearly all triangles faced inwards and were turned
     Turned,       ///< some did, or disagreed with their neighbours
@@ -19,10 +18,10 @@ enum class MeshFault {
     CoarseKernel  ///< most of the surface bends within the kernel, which could be smaller
 };
 
-/// In the order in which to mend them. Scans with holes and finely meshed open surfaces have none.
+/// In the order of repair. Scans with holes and finely meshed open surfaces have none.
 std::vector<MeshFault> faults_of(const MeshReport& report);
 
-/// A sentence or two, with what mends it.
+/// A sentence or two, with the repair.
 std::string describe(MeshFault fault, const MeshReport& report);
 
 }  // namespace laplacian_lines

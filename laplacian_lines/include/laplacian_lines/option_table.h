@@ -23,7 +23,7 @@ enum class OptionKind {
     Direction,  ///< in world coordinates, of any length but 0
 };
 
-/// What users are told of an option, whatever struct it is a member of.
+/// The texts and limits of an option.
 struct OptionDescription {
     const char* key;    ///< identifier in scripts, stable between versions
     const char* label;  ///< short name in dialogs
@@ -40,7 +40,7 @@ using OptionValue = std::variant<double, std::string, Eigen::Vector3d>;
 /// rows; defaults are those of a default-constructed struct.
 template <class Options>
 struct OptionRow : OptionDescription {
-    double (*get)(const Options&);  ///< null for texts and places, as set
+    double (*get)(const Options&);  ///< null for texts and vectors, as set
     void (*set)(Options&, double);
     std::string Options::*text = nullptr;       ///< of Text and File
     Eigen::Vector3d Options::*place = nullptr;  ///< of Position and Direction

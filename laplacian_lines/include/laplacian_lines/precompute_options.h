@@ -65,7 +65,7 @@ struct PrecomputeOptions {
 /// The automatic √h. Lengths in any unit; the result has the same one.
 double automatic_kernel_size(double mean_edge, double diagonal);
 
-/// √h in widths of the inner lines of a drawing: finer detail clots, coarser kernels lose detail.
+/// √h in widths of the inner lines of a drawing: smaller kernels crowd lines, larger lose detail.
 constexpr double kDrawnKernelWidths = 4;
 
 /// In mean edges, given MeshReport::roughness.

@@ -11,43 +11,43 @@ namespace laplacian_lines {
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// An indexed triangle mesh: any topology, scale and offset; triangles counter-clockwise seen from
-/// outside, or turned that way, see MeshReport. Vertices that are not finite or not used and
-/// triangles without area or with such corners are left out and counted there.
+/// outside, or turned that way, see MeshReport. Vertices that are not finite or not used, and
+/// triangles without area or with such corners, are dropped and counted there.
 struct TriangleMesh {
     std::vector<Eigen::Vector3d> positions;  ///< [V], in the mesh's own length unit
     std::vector<Triangle> triangles;         ///< [T], indices into positions
 };
 
-/// The triangles that are used, those on borders cut where vertices of other borders lie on their
-/// sides, as precompute() and LineExtractor cut them: then surfaces that close up but for such
-/// T-junctions share all edges. Vertices are as they were.
+/// The usable triangles, with T-junctions resolved as by precompute() and LineExtractor: triangles
+/// on borders are cut where vertices of other borders lie on their sides, so that surfaces which
+/// are closed but for these share all edges. Vertices stay.
 /// @throws Error(InvalidMesh)
 std::vector<Triangle> conforming_triangles(const TriangleMesh& mesh);
 
-/// What the input held and what was left out of the computation.
+/// What the input held, and what was dropped or repaired.
 struct MeshReport {
     std::size_t vertices = 0;               ///< all vertices of the input
     std::size_t triangles = 0;              ///< all triangles of the input
     std::size_t non_finite_vertices = 0;    ///< a coordinate is NaN or infinite
-    std::size_t unreferenced_vertices = 0;  ///< finite, but no usable triangle has it
+    std::size_t unreferenced_vertices = 0;  ///< finite, but in no usable triangle
     std::size_t degenerate_triangles = 0;   ///< zero area, repeated or non-finite corners
-    std::size_t welded_vertices = 0;        ///< for which another one at the same place counts
-    /// How often all triangles had been cut in four at the middles of their sides, which was
+    std::size_t welded_vertices = 0;        ///< merged with another one at the same position
+    /// Midpoint subdivisions (all triangles cut in four at the middles of their sides) that were
     /// undone: lines are those of the mesh before.
     int undone_subdivisions = 0;
     /// Noise at the scale of the triangles, or terraces of segmented volumes, dimensionless. Clean
     /// meshes have 0, noise of a fifth of the edges 1, terraces 1.5 to 3.
     double roughness = 0;
-    /// Those read the other way round, so that neighbours agree about the outside and closed bodies
-    /// face outwards: normals are those of the mesh that results.
+    /// Triangles whose orientation was reversed, so that neighbours agree and closed bodies face
+    /// outwards: normals are those of the mesh that results.
     std::size_t turned_triangles = 0;
-    // For faults_of(): of the surface that is left, its cuts closed.
-    double border_share = 0;   ///< of its edges, those of one triangle, if it is in pieces
-    double opposed_share = 0;  ///< those of two triangles that disagree about the outside
-    /// Of which the coordinates are multiples, input units, if that is a tenth of the mean edge or
-    /// more. Else, and of forms of few triangles, large flat faces or cells of a grid, 0.
+    // For faults_of(): of the usable surface, its cuts closed.
+    double border_share = 0;   ///< edges of one triangle over all edges, if it is in pieces
+    double opposed_share = 0;  ///< edges whose two triangles disagree about the outside, likewise
+    /// The step of which all coordinates are multiples, input units, if it is at least a tenth of
+    /// the mean edge. Else, and for few triangles, large flat faces or cells of a grid, 0.
     double coordinate_step = 0;
-    double kernel_bend = 0;  ///< median of curvature · kernel size; 0: as small as may be
+    double kernel_bend = 0;  ///< median of curvature · kernel size; 0 for the smallest kernels
 };
 
 }  // namespace laplacian_lines

@@ -12,8 +12,8 @@ namespace laplacian_lines {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kQuickAccuracy = 0.5e-3;  // from which on quick Gaussians may add their error
-// Less of the kernel than this is on the surface only at the tip of a border's corner.
+constexpr double kQuickAccuracy = 0.5e-3;  // least accuracy for which quick Gaussians will do
+// Share of the kernel's mass that is on the surface; less is only at the tip of a border's corner.
 constexpr double kLeastKernelMass = 0.2;
 
 /// Of the kernel's second moment, beyond k √h, u = k²/4.
@@ -59,7 +59,7 @@ std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const Sp
     const bool on_grid = costs.grid < costs.direct;
     const GaussianSums sums = on_grid ? grid_sums(mesh, normals, kernel, resolution, stage)
                                       : gaussian_sums(mesh, tree, normals, kernel, stage);
-    // The cut-off tail of a second moment is known, so its mean effect can be taken out.
+    // The cut-off tail of a second moment is known, so its mean effect is corrected.
     const double kept = on_grid ? 1 : 1 - tail(kernel.cutoff * kernel.cutoff / 4);
     std::vector<Eigen::Vector3d> laplacian = large_array<Eigen::Vector3d>(mesh.size());
     for_each_element(laplacian.size(), [&](std::size_t i) {
@@ -71,7 +71,7 @@ std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const Sp
         const Eigen::Vector3d moment = factor * sums.first_moment[i].cast<double>();
         // A kernel that is asymmetric around p, as at a border, has a first moment along the
         // surface, which S turns into a spurious term. It fades where the normal turns by more than
-        // a radian within √h: n_q − n_p = S (q − p) no longer holds there.
+        // a radian within √h, since n_q − n_p = S (q − p) does not hold there.
         const double trust = 1 / (1 + h * shape_operators[i].squaredNorm());
         laplacian[i] -= trust * (shape_operators[i] * (moment - n * n.dot(moment)));
         // Part of the kernel is missing there, too. This also halves the bias on curved surfaces,

@@ -17,24 +17,25 @@ namespace {
 constexpr double kLargestFloat = 1e38;
 constexpr double kSmoothed = 0.3;  // of the time
 
-// In derivative_kernel(), for C: the spread of the weights is that of a kernel of 0.85 √h.
+// Radius R for C, in derivative_kernel(): weights spread like a kernel of 0.85 √h.
 constexpr double kDerivativeReach = 3.4;
-// Reach for C, in mean edges: a larger one is slower, not better. Smaller ones are cut as much.
+// Largest radius for C, in mean edges: more is slower, not better. S̄'s is reduced by the same
+// factor.
 constexpr double kMostDerivativeReach = 16;
-// For S̄, the spread of a kernel of 0.35 √h: keeps visible form, loses what noise of a fifth of the
-// edges adds.
+// Radius for S̄, like a kernel of 0.35 √h: keeps visible form, removes noise of a fifth of the
+// edges.
 constexpr double kSmoothReach = 1.4;
 constexpr double kLargestCurvature = 1e15;  // 1/D; sums of it with squares of lengths stay floats
-// Variance of the neighbours' places in the direction in which they vary least, in squared radii:
-// 1/8 all around, 1/20 at a border.
+// Smallest variance of the neighbours' positions over all directions, in squared radii: 1/8 inside,
+// 1/20 at a border.
 constexpr double kLeastVariance = 0.004;
-// Between a triangle's normal and its corners': beyond, S is of another side.
+// Between a triangle's normal and its corners'; below, S is of another side.
 constexpr double kLeastCosine = 0.1;
 constexpr double kMostCost = 1e7;  // as pairs_cost() has it: about ten seconds
 
 /// The linear function in a vertex's tangent plane that fits S best, local units.
 struct TensorFit {
-    bool found = false;     ///< false: too few neighbours, or not in all directions
+    bool found = false;     ///< false: too few neighbours, or about on one line
     Eigen::Vector3d value;  ///< at the vertex: S(u,u), S(u,v), S(v,v)
     CubicForm slopes;       ///< made symmetric
 };
@@ -99,7 +100,7 @@ public:
         : mesh_(mesh), tree_(tree), field_(field), sources_(sources_of(mesh, tree, field)) {}
 
     /// Calls take(v, fit), on any thread, for each vertex that has a fit within `reach` kernels;
-    /// for none where the sums would take seconds.
+    /// for none if the sums would take too long.
     template <class Take>
     void for_each(double reach, const StageProgress& stage, const Take& take) const {
         const std::vector<float> radii = radii_of(reach);
@@ -189,8 +190,8 @@ Eigen::Vector3d entries_of(const CurvedVertex& v) {
 /// Adds the derivative of S within a triangle, times its area, in the frames of its corners'
 /// curved_vertex(): S is linear between corners, in the triangle's plane, and the result is made
 /// symmetric, as on smooth surfaces (Codazzi). S. Rusinkiewicz, "Estimating Curvatures and Their
-/// Derivatives on Triangle Meshes", 3DPVT 2004, section 4, without least squares. Nothing if the
-/// triangle does not face as its corners do.
+/// Derivatives on Triangle Meshes", 3DPVT 2004, section 4, without least squares. Adds nothing if
+/// the triangle faces another way than its corners.
 void add_differences(const PreparedMesh& mesh, const Field& field, const Triangle& t,
                      std::vector<CubicForm>& forms, std::vector<double>& areas) {
     const auto& p = mesh.positions;
@@ -204,7 +205,7 @@ void add_differences(const PreparedMesh& mesh, const Field& field, const Triangl
         const CurvedVertex corner = curved_vertex(mesh, field, t[k]);
         const double cosine = n.dot(corner.normal);
         if (!(cosine > kLeastCosine)) return;
-        // Turned from the triangle's normal to the corner's the shortest way.
+        // Rotate from the triangle's normal to the corner's by the smallest angle.
         const Eigen::Vector3d middle = (n + corner.normal) / (1 + cosine);
         const Eigen::Vector3d u = along - along.dot(corner.normal) * middle,
                               v = beside - beside.dot(corner.normal) * middle;
@@ -224,7 +225,7 @@ void add_differences(const PreparedMesh& mesh, const Field& field, const Triangl
     }
 }
 
-/// C of the vertices that have none, by the triangles at each; 0 where none counts.
+/// C of the vertices without a fit, from the triangles at each; 0 where none of these counts.
 void fill_in(const PreparedMesh& mesh, const Field& field, const std::vector<std::uint8_t>& missing,
              std::vector<CubicForm>& derivatives) {
     if (std::find(missing.begin(), missing.end(), 1) == missing.end()) return;

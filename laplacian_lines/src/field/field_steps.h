@@ -32,21 +32,20 @@ std::vector<float> relative_kernel_sizes(const PreparedMesh& mesh, const VertexR
                                          KernelMode mode, const StageProgress& stage);
 
 /// How far noise has moved the vertices, in mean edges: 0 on clean meshes, however coarse. A bump
-/// is how far a vertex is below the mean of its neighbours. Bumps of a form are as those around
-/// them, those of noise have the opposite sign as often as not.
+/// is the height of the mean of a vertex's neighbours above it. Bumps of a form resemble those
+/// around them, those of noise do not.
 double vertex_noise(const PreparedMesh& mesh, const VertexRanges& ranges,
                     const std::vector<Eigen::Vector3d>& normals, const StageProgress& stage);
 
 // Clean meshes have 0. From noise of a twelfth of the edges on, contours do not follow edges.
 constexpr double kLargestRoughness = 0.5;
 
-/// MeshReport::roughness, from unsmoothed vertex normals: what vertex_noise() asks for, or terraces
-/// if that is more, which show in how much more normals turn when smoothed by 1.6 mean edges
-/// instead of 0.8 than by 3.2 instead of 1.6, lower quartiles of a thousand vertices. Smoothing
-/// removes terraces at the finest scale, form at the coarsest. Counts less where most normals are
-/// within 2 degrees of their neighbours' mean; 0 where a mesh is too coarse to tell or has too many
-/// vertices near each other, and if it would be rough but its flat faces are_large(). Mean edges
-/// are times relative_sizes[v].
+/// MeshReport::roughness, from unsmoothed vertex normals: the larger of noise (vertex_noise()) and
+/// terraces. Terraces are the turn of normals from smoothing by 0.8 to 1.6 mean edges over that
+/// from 1.6 to 3.2, lower quartiles of a thousand vertices: smoothing removes terraces at the
+/// finest scale, form at the coarsest. Counts less where most normals are within 2 degrees of their
+/// neighbours' mean; 0 if the mesh is too coarse or has too many vertices near each other, or if
+/// its flat faces are_large(). Mean edges are multiplied by relative_sizes[v].
 double measure_roughness(const PreparedMesh& mesh, const VertexRanges& ranges,
                          const SpatialTree& tree, const std::vector<float>& relative_sizes,
                          const std::vector<Eigen::Vector3d>& normals, const StageProgress& stage);
@@ -106,12 +105,11 @@ void fill_midpoints(const PreparedMesh& mesh, Field& field);
 /// The same of S̄ and C, carried from the ends' tangent frames to theirs.
 void fill_midpoint_derivatives(const PreparedMesh& mesh, Field& field);
 
-/// Fills Field::smooth_curvatures and curvature_derivatives from the rest of the field alone, so
-/// that it does not matter where that comes from. C is the slope of the linear function, in the
-/// tangent plane, that best fits S of the vertices within 3.4 √h, weighted by mass, nearness and
-/// how they face. The fit cancels what triangle shapes and noise add; docs/measurements.md
-/// compares. With too few vertices: the mean of differences within triangles. S̄ is the value of
-/// such a fit, within 1.4 √h, at the vertex, or S with too few vertices. Borders do not bias it.
+/// Fills Field::smooth_curvatures and curvature_derivatives from the rest of the field alone. C is
+/// the slope of the linear function, in the tangent plane, that best fits S of the vertices within
+/// 3.4 √h, weighted by mass, nearness and facing_weight(): this cancels errors of triangle shapes
+/// and noise. With too few vertices: the mean of differences within triangles. S̄ is the value at
+/// the vertex of such a fit within 1.4 √h, or S with too few vertices. Borders do not bias it.
 void fill_curvature_derivatives(const PreparedMesh& mesh, const SpatialTree& tree,
                                 const StageProgress& stage, Field& field);
 

@@ -9,11 +9,11 @@ namespace {
 
 constexpr int kSmoothingPasses = 10;
 constexpr double kSmallestRatio = 0.25, kLargestRatio = 4;
-// In D. Beyond, nothing changes: no vertex has a neighbour, or all are equally near.
+// In D. Beyond these, nothing changes: no vertex is within the kernel, or all are.
 constexpr double kSmallestKernel = 1e-7, kLargestKernel = 1e4;
 constexpr double kLargestDrawnKernel = 0.04;  // D
-// Mean edges. Decimated scans keep features one or two edges wide: with 1 they keep no more of them
-// than with 1.3, but clutter comes. What noise asks for, the smoothing of normals does better.
+// Mean edges. Decimated scans have features one or two edges wide: 1 instead of 1.3 shows no more
+// of them, but clutter. Against noise, smoothing of normals is better than a larger kernel.
 constexpr double kLeastEdges = 1.3;
 
 }  // namespace

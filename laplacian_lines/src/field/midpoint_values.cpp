@@ -15,13 +15,13 @@ ShapeOperator mean(const ShapeOperator& a, const ShapeOperator& b) {
             (a.yz + b.yz) / 2, (a.xz + b.xz) / 2, (a.xy + b.xy) / 2};
 }
 
-/// Ends of midpoints may be midpoints, which come behind them.
+/// Calls fill for each midpoint, from the last on: their ends may be later midpoints.
 template <class Fill>
 void for_each_midpoint(const PreparedMesh& mesh, Fill fill) {
     std::for_each(mesh.midpoints.rbegin(), mesh.midpoints.rend(), fill);
 }
 
-/// The first direction of a frame in another one, as far as it lies in that plane.
+/// The first direction of a frame, projected to the plane of another one.
 std::complex<double> direction_in(const TangentFrame& from, const TangentFrame& to) {
     const Eigen::Vector2f u = from(to.u);
     const std::complex<double> direction(double(u.x()), double(u.y()));

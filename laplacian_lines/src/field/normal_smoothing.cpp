@@ -11,10 +11,10 @@ namespace {
 
 constexpr double kCutoffInSigma = 3;
 constexpr double kDegree = 3.14159265358979323846 / 180;
-constexpr double kLeastSigma = 1e-7;  // in D; no vertex has a neighbour as near as that
+constexpr double kLeastSigma = 1e-7;  // in D; no vertex has a nearer neighbour
 constexpr double kAccuracy = 1e-3;    // of a sum on the grid
-// The grid keeps the tails, so its sums differ a little: only where the direct sum takes much
-// longer, with many vertices within a few mean edges.
+// Least cost of the direct sum over that of the grid, which also sums the Gaussian's tails and so
+// differs a little.
 constexpr double kGridAdvantage = 4;
 
 GaussianSums smoothing_sums(const PreparedMesh& mesh, const SpatialTree& tree,

@@ -17,30 +17,30 @@ namespace {
 constexpr int kTensorSmoothingPasses = 2;
 constexpr double kLargestFloat = 1e38;
 constexpr std::size_t kMostBendSamples = 20000;
-// Subdivisions are undone as far as edges are shorter, in D: those of a form that was made of a few
-// large triangles have been cut for a reason.
+// Subdivisions are undone only if edges stay shorter than this, in D: forms of a few large
+// triangles were subdivided for a reason.
 constexpr double kLongestUndone = 0.025;
 constexpr int kMostUndone = 16;
-constexpr double kLeastChoice = 2.5;  // mean edges: a kernel that could well be smaller
-constexpr double kFitCost = 20;       // of a pair of vertices in a fit, in those of a direct sum
+constexpr double kLeastChoice = 2.5;  // mean edges; smaller kernels cannot be reduced much
+constexpr double kFitCost = 20;       // of a pair of vertices in a fit, over that in a direct sum
 
 // Share of the time at which each step ends, with the default options.
 constexpr double kPrepared = 0.15, kSorted = 0.3, kSizes = 0.31, kNormals = 0.35;
 constexpr double kSmoothNormals = 0.45, kFitted = 0.55, kTensors = 0.6;
-constexpr double kDerivatives = 0.15;  // of the time that is longer by them
+constexpr double kDerivatives = 0.15;  // of the time with them
 
 constexpr double kDrawnSigma = 0.25;  // of √h, see PrecomputeOptions::drawn_kernel_size
-// Of triangles finer than the kernel, in mean edges: scans as they come show no less, but calmer.
+// Sigma in mean edges where triangles are finer than the kernel: removes noise, no lines.
 constexpr double kFineSigma = 0.8, kSigmaOfFineness = 0.75;
 
-/// From 0 where the kernel is the least for these edges; local units.
+/// 0 for the smallest kernel of these edges; local units.
 double least_sigma(double kernel_size, double mean_edge) {
     const double least = least_kernel_size(mean_edge);
     const double fineness = kernel_size * kernel_size - least * least;
     return std::min(kFineSigma * mean_edge, kSigmaOfFineness * std::sqrt(std::max(fineness, 0.)));
 }
 
-/// A kernel smaller than that of the mesh before it was cut asks for what cutting has added.
+/// A given kernel keeps subdivisions without which mean edges would be longer than it.
 PreparedMesh prepare(const TriangleMesh& mesh, const PrecomputeOptions& options, Facing facing) {
     Undoing undoing{kMostUndone};
     undoing.longest_share = kLongestUndone;
@@ -177,7 +177,7 @@ Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options,
     const SpatialTree tree = sort_in_space(prepared);
     const VertexRanges ranges(prepared);
 
-    // √h, the scale at which the surface is looked at.
+    // √h, the scale at which features are sought.
     LocalField local;
     local.kernel_size = global_kernel_size(prepared, options);
     local.relative_sizes = relative_kernel_sizes(prepared, ranges, options.kernel_mode,

@@ -17,26 +17,28 @@ constexpr std::size_t kSamples = 1024;
 // Standard deviations are 0.8, 1.6, 3.2 mean edges: each Gaussian is the next one's fourth power.
 constexpr double kWidest = 3.2;
 constexpr double kReach = 2.2 * kWidest;
-// In D. The surface has to be large against the reach.
+// In D: coarser meshes are not measured.
 constexpr double kLargestEdge = 0.025;
-// Angles of normals to the mean around them, radians, exceeded by three quarters of them: less is
-// smooth, more is rough if the scales say so.
+// Lower quartile of the angles between normals and the mean around them, radians: the mesh is
+// smooth below the first, may be rough above the second.
 constexpr double kSmooth = 0.01, kRough = 0.03;
-// Of terraces; clean meshes have up to 1.1. Between the two, ever more of it counts.
+// Terraces start to count at the first and count in full from the second on; clean meshes have up
+// to 1.1.
 constexpr double kLeastTerraces = 1.2, kClearTerraces = 1.5;
-// Noise in mean edges: less is left, and none is taken for some. Above, sigma is 1.5 times the
-// root: .47, .67 and .95 mean edges for .1, .2 and .4, as was best on scans and coarse forms.
+// Noise in mean edges starts to count at the first and counts in full from the second on. Then
+// sigma is 1.5 times its root: .47, .67 and .95 mean edges for .1, .2 and .4, the best on scans and
+// coarse forms.
 constexpr double kLeastNoise = 0.04, kClearNoise = 0.08, kSigmaOfRoot = 1.5;
-// In mean edges: sigma grows with the roughness, as was best for terraces.
+// In mean edges: sigma is proportional to the roughness, the best for terraces.
 constexpr double kLargestSigma = 2.5, kSigmaOfRoughness = 0.7;
-constexpr double kLongest = 1e4;  // a tenth of a second, in units of pairs_cost()
+constexpr double kLongest = 1e4;  // in units of pairs_cost(): a tenth of a second
 
 /// From 0 at `none` to 1 at `all`.
 double ramp(double x, double none, double all) {
     return std::clamp((x - none) / (all - none), 0., 1.);
 }
 
-/// How far a normal turns: from the triangles' to the first scale, and from each scale to the next.
+/// Angles of a normal's turn: unsmoothed to the first scale, and from each scale to the next.
 using Turns = std::array<double, 3>;
 
 Turns turns_at(const PreparedMesh& mesh, const SpatialTree& tree,
@@ -66,7 +68,8 @@ Turns turns_at(const PreparedMesh& mesh, const SpatialTree& tree,
     return turns;
 }
 
-/// The quartile of the turns at one scale. Noise is the same everywhere: it shows in calm places.
+/// The lower quartile of the turns at one scale: noise is the same everywhere, so it shows where
+/// the form is flat.
 double lower_quartile(std::vector<Turns>& turns, std::size_t scale) {
     const auto place = turns.begin() + std::ptrdiff_t((turns.size() - 1) / 4);
     std::nth_element(turns.begin(), place, turns.end(),
@@ -104,8 +107,8 @@ double measure_roughness(const PreparedMesh& mesh, const VertexRanges& ranges,
     const double of_terraces = terraces * ramp(terraces, kLeastTerraces, kClearTerraces);
     if (of_noise == 0 && of_terraces == 0) return 0;
     const CornerTable sides(mesh.triangles, mesh.size());
-    // Noise leaves no flat faces; small forms of what was made seem noisy. Where all vertices are
-    // on edges, as of plates, the form turns their normals as terraces would.
+    // Noisy meshes have no flat faces, while small features of CAD meshes look like noise. Where
+    // all vertices are on edges, as of plates, the form turns their normals as terraces would.
     const FlatFaces flat = flat_faces(mesh, sides);
     if (flat.are_large()) return 0;
     return flat.are_made() ? of_terraces : std::max(of_noise, of_terraces);

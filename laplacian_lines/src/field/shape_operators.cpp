@@ -9,7 +9,7 @@
 namespace laplacian_lines {
 namespace {
 
-// Between a triangle's normal and a corner's: opposite ones have no shortest turn.
+// Between a triangle's normal and a corner's: opposite ones have no unique rotation.
 constexpr double kLeastCosine = -0.999;
 
 /// The symmetric tensor in a triangle's plane that best maps its edges to the changes of the
@@ -41,7 +41,7 @@ struct TriangleFit {
         tb = scale * (uu * vv * rm - uv * (vv * ru + uu * rv));
         bb = scale * ((uu * uu + squares) * rv - uv * uu * rm + uv * uv * ru);
     }
-    /// Not for slivers without a solution.
+    /// False for slivers without a solution.
     bool is_finite() const { return std::isfinite(tt + tb + bb); }
 
     /// Adds the tensor times the area, turned with its plane from its normal to m.

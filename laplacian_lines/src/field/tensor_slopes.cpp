@@ -42,8 +42,8 @@ static inline void store_quarter(float (*p)[kSlopeLanes], std::size_t lane, cons
 /// Sources whose weights are kept, so that registers hold either what these need or some sums.
 constexpr std::size_t kTogether = 32;
 
-// Multiplications bound this loop: tensors are summed in space and projected at the end;
-// weights are 4 facing_weight(), undone on storing.
+// Multiplications bound this loop: tensors are summed in space and projected at the end; weights
+// are 4 facing_weight(), corrected on storing.
 static inline void sum(const TensorTargets& targets, const TensorSource* sources, std::size_t count,
                        std::size_t lane, TensorSums& sums) {
     using Sums = TensorSums;

@@ -6,7 +6,7 @@
 
 namespace laplacian_lines {
 
-constexpr std::uint32_t kSlopeLanes = 16;  ///< targets that are summed for at once
+constexpr std::uint32_t kSlopeLanes = 16;  ///< targets of one sum
 
 /// A vertex with a symmetric tensor S.
 struct alignas(64) TensorSource {
@@ -24,8 +24,8 @@ struct TensorTargets {
     alignas(64) float per_radius[kSlopeLanes];  ///< 1 / distance within which sources count
 };
 
-/// Weighted sums of places (x, y) in the plane, in radii, and of S(u,u), S(u,v), S(v,v); by number
-/// and lane.
+/// Weighted sums of positions (x, y) in the plane, in radii, and of S(u,u), S(u,v), S(v,v); by
+/// number and lane.
 struct TensorSums {
     enum { kWeight, kX, kY, kXX, kXY, kYY, kEntries, kXEntries = 9, kYEntries = 12, kNumbers = 15 };
     alignas(64) float numbers[kNumbers][kSlopeLanes];

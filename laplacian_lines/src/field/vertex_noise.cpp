@@ -10,11 +10,11 @@ namespace {
 
 constexpr std::size_t kMostSamples = 20000;
 constexpr double kLargestBump = 0.3;  // local edges; more is an edge of the form
-// Lower quartile of how far bumps differ from those around them, for a displacement of 1: of a
-// fine flat mesh, whose vertices are moved in random directions.
+// Lower quartile of the difference between bumps and those around them on a fine flat mesh whose
+// vertices are moved by 1 in random directions.
 constexpr double kOfUnitNoise = 0.29;
-// Correlation of a bump with the mean of those around it. Forms have 0.5 to 0.9, decimated to the
-// last 0.3, noise of 20 % of the edges -0.2 to 0.1.
+// Correlation of a bump with the mean of those around it. Forms have 0.5 to 0.9, strongly decimated
+// ones 0.3, noise of 20 % of the edges -0.2 to 0.1.
 constexpr double kOfForm = 0.45, kOfNoise = 0.15;
 
 }  // namespace

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a crease is, in the order in which it is asked. An edge of the mesh
-//  1. turns by 3 degrees on a mesh that was made, by 20 on one that was measured, and is on no
-//     rough one, whose edges are those of noise or of voxels;
-//  2. on what was measured, parts two sides that differ as much as it turns: is_edge_of_form();
-//  3. then is certain if it turns by 40 degrees; of others,
-//  4. is no mere diagonal: is_mere_diagonal(),
-//  5. turns more than the curved faces on both sides explain: crease_jump(),
-//  6. and hangs together with others: drop_unsupported().
-// Which of these are long and even enough to be drawn, creases.cpp says.
+// When an edge of the mesh is a crease, test by test. The angle of an edge is that between the
+// normals of its two triangles.
+//  1. The angle is at least 3 degrees on a CAD mesh, 20 on a scan. Rough meshes have no creases:
+//     their edges are those of noise or of voxels.
+//  2. On a scan, the mean normals of both sides differ by about that angle: is_edge_of_form().
+//  3. From 40 degrees on the edge is then certain. Others
+//  4. are not just a diagonal of a bent quad: is_mere_diagonal(),
+//  5. turn more than the curvature on both sides explains: crease_jump(),
+//  6. and are connected with other creases: drop_unsupported().
+// creases.cpp decides which of these are long and smooth enough to be drawn.
 #include "fixed/crease_edges.h"
 
 #include <algorithm>
@@ -23,24 +24,23 @@ namespace {
 using Eigen::Vector3f;
 using Verdict = CreaseEdge::Verdict;
 
-// Less is not called a crease: two faces that were made to be one meet at angles as large.
+// Modelled faces that are meant to be one meet at angles up to this.
 constexpr float kLeastCreaseAngle = 3;  // degrees
-// For scans, where anything duller may be noise.
+// On scans a smaller angle may be noise.
 constexpr float kLeastMeasuredAngle = 20;  // degrees
-// Shares of the edge's angle that are not explained. Half is between a facet, of which all is, and
-// an edge between flat faces, of which nothing is; what goes on from there may be weaker.
+// Unexplained shares of the edge's angle: 0 at a facet of a curved face, 1 between flat faces. An
+// edge that continues a strong one may be weak.
 constexpr float kStrong = 0.5f, kWeak = 0.25f;
 
-// Of triangular faces.
+// Samples for share_of_triangular_faces().
 constexpr std::uint32_t kMostPlaces = 4000;
 constexpr std::size_t kMostParts = 256;   // a triangle subdivided four times
 constexpr float kSameDirection = 0.999f;  // cosine
 
-/// Whether the flat face of a triangle has sides in but three directions, going around it, as only
-/// a triangle has.
+/// Whether the flat face around a triangle is itself a triangle: its boundary has three directions.
 bool is_triangle(const Surface& surface, std::uint32_t triangle, float flat) {
     std::vector<std::uint32_t> parts = {triangle};
-    std::vector<float> signs = {1};  // which turn normals to one side
+    std::vector<float> signs = {1};  // of normals, so that all point to one side
     std::vector<Vector3f> directions;
     for (std::size_t i = 0; i < parts.size(); ++i)
         for (std::uint32_t side = 3 * parts[i]; side < 3 * parts[i] + 3; ++side) {
@@ -63,9 +63,9 @@ bool is_triangle(const Surface& surface, std::uint32_t triangle, float flat) {
     return directions.size() == 3;
 }
 
-/// Of the area of flat faces of several triangles, 0 to 1, the share of those that are triangles
-/// themselves: as good as all where the triangles of a scan were subdivided. Flat is what meets at
-/// this cosine or more. By some places all over the mesh.
+/// Estimates, from samples all over the mesh, the share of triangular ones in the area of flat
+/// faces of several triangles, 0 to 1: nearly 1 where a scan was subdivided. `flat`: least cosine
+/// between triangles of one face.
 double share_of_triangular_faces(const Surface& surface, float flat) {
     const std::uint32_t step = surface.triangle_count() / kMostPlaces + 1;
     double all = 0, triangular = 0;

@@ -12,17 +12,16 @@ namespace laplacian_lines {
 /// An edge of the mesh that may be drawn as part of a crease. Local coordinates.
 struct CreaseEdge {
     static constexpr std::uint32_t kNone = 0xffffffffu;
-    /// Noise: never shown. Facet: shown only by styles with an angle as small. Unclear: turns much
-    /// more than explained, but a side that is neither flat nor even cannot tell. Weak and strong:
-    /// turns more, or at least twice as much. Certain: whatever is around.
+    /// Noise: never shown. Facet: shown only by styles with an angle as small. Weak, strong: turns
+    /// more than explained, or at least twice as much. Unclear: strong, but one side is neither
+    /// flat nor evenly curved. Certain: whatever is around.
     enum class Verdict : std::uint8_t { Noise, Facet, Unclear, Weak, Strong, Certain };
 
     std::uint32_t side;  ///< of Surface
     std::uint32_t vertices[2];
     Eigen::Vector3f positions[2];
     Eigen::Vector3f normals[2];  ///< of the triangles; as one sees them from the same side
-    /// Of the two triangles those that are in one plane with no neighbour; otherwise
-    /// kNone.
+    /// The two triangles; kNone for one with a coplanar neighbour.
     std::uint32_t facets[2];
     float angle;  ///< between the normals, degrees
     Verdict verdict = Verdict::Noise;
@@ -46,9 +45,9 @@ std::vector<CreaseEdge> find_crease_edges(const ExtractorData& data, const Surfa
 /// Triangles that meet at less, in degrees, are parts of one flat face.
 constexpr float kFlat = 0.1f;
 
-/// Whether the surface on both sides agrees: up to some twenty triangles each, within a few heights
-/// of the one at the edge or within 1 % of D. Their mean normals have to differ about as much as
-/// those at the edge, and the surface must not bend to and fro nearly as much as at the edge.
+/// Whether the surroundings confirm the edge: up to some twenty triangles on each side, within a
+/// few heights of the one at the edge or within 1 % of D. Their mean normals have to differ about
+/// as much as those at the edge, and their roughness has to be well below the edge's angle.
 bool is_edge_of_form(const Surface& surface, const CreaseEdge& edge);
 
 /// Whether an edge is a mere diagonal: whether its two triangles could as well be cut along their
@@ -60,24 +59,23 @@ bool is_mere_diagonal(const Surface& surface, std::uint32_t side);
 /// What an edge turns beyond what the surface on both sides explains.
 struct CreaseJump {
     float degrees;  ///< 0 or less: all is explained
-    /// Whether both sides are flat at first or curve evenly, so that they can tell. Twisted ones do
-    /// not.
+    /// Whether both sides are flat at first or evenly curved, so that `degrees` can be trusted.
+    /// False for twisted faces.
     bool is_clear;
 };
 
-/// A curved face is cut into facets that turn again and again: by a curvature, the angle at an edge
-/// over the distance between the centres of its facets. On either side of the edge, the curvature
-/// of the edges beyond tells by how much a curved face turns from the middle of its first facet to
-/// the edge. Both together are explained. Faces are followed straight across the edge, narrow ones
-/// along the edges of the form beside them. The angle is that of signed_angle(), less than
-/// kEdgeAngle.
+/// A curved face is cut into facets that turn again and again. Its curvature is the angle at an
+/// edge over the distance between the centres of the two facets there. On either side, the
+/// curvature at the edges beyond predicts how much a curved face would turn from the centre of its
+/// first facet to the edge; both predictions together are what is explained. Faces are followed
+/// straight across the edge, narrow ones along the edges of the form beside them. The angle is that
+/// of signed_angle(), less than kEdgeAngle.
 CreaseJump crease_jump(const Surface& surface, std::uint32_t side, float angle);
 
-/// Makes facets of those that no others support. Kept are all that are certain, and others in
-/// chains from one such edge to another or around, of which at least half is strong; unclear ones
-/// only singly, between others of a chain. Of a mesh that
-/// was made also those from one such edge on as far as their angles fall: a crease that runs out,
-/// as mitres of fillets do; on a scan, noise beside a bad place falls as well.
+/// Makes facets of edges that no others support. Kept are certain edges; chains from one certain
+/// edge to another, or closed, at least half of which is strong; unclear edges only singly, within
+/// such a chain. On a CAD mesh also chains from one certain edge on, as far as their angles fall:
+/// creases that fade out, as the mitres of fillets do. On a scan noise does so as well.
 void drop_unsupported(std::vector<CreaseEdge>& edges, bool is_made);
 
 }  // namespace laplacian_lines

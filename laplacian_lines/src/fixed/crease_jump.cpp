@@ -7,21 +7,22 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr int kMostTriangles = 40;  // of a walk: farther away nothing belongs to this edge
-// Shares of the edge's angle: what bends less is within a facet, half of it tells a curvature.
+constexpr int kMostTriangles = 40;  // of a walk
+// Shares of the edge's angle: bends up to the first are within a facet, from the second on a
+// curvature can be measured.
 constexpr float kWithinFacet = 0.25f, kTelling = 0.5f;
 // Facets of one face are alike: curvatures and widths from one to the next differ less.
 constexpr float kAlike = 3;
-// Three facets between two edges are an arc if they turn so much, degrees; flanks of teeth, drawn
-// as a few straight pieces, turn less, and tessellators' tolerances leave arcs more facets then.
+// Least angle in degrees at which three facets between two edges are an arc. Flanks of teeth, which
+// are modelled by a few flat faces, turn less; arcs that turn less are given more facets.
 constexpr float kArcOfThree = 12;
 
 bool are_alike(float a, float b) {
     return a <= kAlike * b && b <= kAlike * a;
 }
 
-/// Whether three faces meet at the end `end` of an edge, a vertex, at edges
-/// of at least this angle, and not both others of them are edges of the form whatever is around.
+/// Whether three edges of at least this angle meet at the vertex `end` of an edge, and not both
+/// others have kEdgeAngle.
 bool is_corner(const Surface& surface, std::uint32_t side, std::uint32_t end, float least) {
     int edges = 0, sharp = 0;
     std::uint32_t at = side;
@@ -38,26 +39,26 @@ bool is_corner(const Surface& surface, std::uint32_t side, std::uint32_t end, fl
     return false;
 }
 
-/// Whether an edge may be between facets of an arc that has but three. Those are strips, which end
-/// at edges of the form, at borders or in more strips: not in such corners at both ends.
+/// Whether an edge may be between facets of an arc that has only three: such facets are strips,
+/// which do not have such corners at both ends.
 bool may_be_of_three(const Surface& surface, std::uint32_t side, float angle) {
     const float least = kWithinFacet * std::abs(angle);
     return !is_corner(surface, side, surface.begin(side), least) ||
            !is_corner(surface, side, surface.end(side), least);
 }
 
-/// Triangles in one plane, nearly.
+/// Nearly coplanar triangles.
 struct Facet {
     float centre, end;  // along the path
-    float turn;         // at its end, degrees, positive as the edge in question
-    bool is_flat;       // of several triangles, on the path or beside it
-    bool bends_back;    // one triangle, which does, beyond its third side
+    float turn;         // at its end, degrees, with the sign of the tested edge
+    bool is_flat;       // has several triangles, on the path or beside it
+    bool bends_back;    // one triangle, beyond whose third side the surface bends back
 };
 
 /// The facets on one side, up to an edge of the form, a border, or where the surface bends back.
 class FacetWalk {
 public:
-    /// Angles as they turn the path: by `angle` at the edge in question.
+    /// `angle`: of the tested edge; angles are signed like it.
     FacetWalk(const Surface& surface, std::uint32_t from, float lean, float angle)
         : walk_(surface, from, lean),
           sign_(angle > 0 ? 1.f : -1.f),
@@ -82,7 +83,7 @@ public:
         }
         facet.centre = moment / area;
         facet.end = walk_.end();
-        // between its bends the path may pass only a corner of a long facet
+        // the path may pass only a corner of a long facet
         if (facet.turn > 0 && !(facet.centre > begin && facet.centre < facet.end))
             facet.centre = (begin + facet.end) / 2;
         if (!is_over_) walk_.go_on();
@@ -116,7 +117,7 @@ private:
     End end_ = End::None;
 };
 
-/// What one side tells.
+/// The curvature on one side of the tested edge.
 class FacetSide {
 public:
     FacetSide(const Surface& surface, std::uint32_t from, float lean, float angle, bool of_three)
@@ -136,15 +137,15 @@ public:
 
     float half() const { return half_; }            ///< from the edge to the first facet's centre
     float curvature() const { return curvature_; }  ///< beyond the first facet; 0: none
-    bool is_arc() const { return is_arc_; }         ///< goes on being curved like this
-    /// Of an arc that ends at the first facet's far edge, tangent to what is beyond; 0: no arc.
+    bool is_arc() const { return is_arc_; }         ///< the surface beyond is curved like this
+    /// Curvature of an arc that ends, tangentially, at the first facet's far edge; 0: no arc.
     float last_curvature() const { return last_curvature_; }
     bool is_clear() const { return is_flat_ || is_arc_ || last_curvature_ > 0; }
 
 private:
     static float least_distance(float distance) { return std::max(distance, 1e-12f); }
 
-    /// On to the first facet before which the surface has turned enough to tell a curvature.
+    /// Advances until the surface has turned enough to measure a curvature.
     bool go_on(Facet& facet, float& turn) {
         while (turn < telling_) {
             if (!(facet.turn > 0)) return false;
@@ -179,7 +180,7 @@ private:
     bool is_arc_ = false, is_flat_ = false;
 };
 
-/// By how much the edge would turn if it were one between facets, degrees.
+/// By how much the edge would turn if it only separated facets of a curved face, degrees.
 float explained(const FacetSide& a, const FacetSide& b) {
     if (a.is_arc() && b.is_arc()) return a.curvature() * a.half() + b.curvature() * b.half();
     if (a.is_arc() || b.is_arc()) {

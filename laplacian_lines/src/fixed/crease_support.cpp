@@ -73,8 +73,8 @@ private:
             drop(i);
     }
 
-    /// From certain edges on those of ever smaller angles, each the only strong one that goes on
-    /// there; after strong ones also weak ones which nothing else meets.
+    /// Follows creases that fade out: from certain edges on, edges of ever smaller angles, each the
+    /// only strong one that continues there; then also weak ones that nothing else meets.
     void find_running_out() {
         std::vector<std::uint32_t> open;
         for (std::uint32_t i = 0; i < edges_.size(); ++i)
@@ -107,7 +107,7 @@ private:
         return count;
     }
 
-    /// Edges with a loose end, and again those that lose theirs by that.
+    /// Drops edges with a loose end until there are none.
     void drop_loose() {
         const auto is_loose = [&](std::uint32_t i) {
             return is_kept(i) && !edges_[i].is_certain() && !is_held(i);
@@ -143,13 +143,13 @@ private:
         return around;
     }
 
-    /// Whether both ends are where a crease goes on, where three meet or at an edge that is
-    /// certain, or the edge is one at which a crease runs out.
+    /// Whether a crease continues at both ends, three meet there or one of them is certain; or the
+    /// edge belongs to a crease that fades out.
     bool is_held(std::uint32_t i) const {
         return runs_out_[i] || (look_around(i, 0).holds() && look_around(i, 1).holds());
     }
 
-    /// Nets of edges that hang together, of which less than half is strong.
+    /// Drops connected nets of edges of which less than half is strong.
     void drop_doubtful() {
         const auto is_open = [&](std::uint32_t i) {
             return is_kept(i) && !edges_[i].is_certain() && !runs_out_[i];

@@ -17,17 +17,17 @@ using Eigen::Vector3f;
 constexpr float kLeastReach = 0.01f;  // D
 constexpr float kHeights = 2.5f;      // of the triangle at the edge
 constexpr std::size_t kMostTriangles = 24;
-constexpr float kPassable = 35;  // degrees; what is bent more parts faces of the form
+constexpr float kPassable = 35;  // degrees; sharper edges bound a side
 
-// When the mean normals of two sides differ enough: by a share of the edge's angle.
+// Least difference of the mean normals of two sides: a share of the edge's angle, or these degrees.
 constexpr float kConfirmed = 0.6f;
-constexpr float kConfirmedAnyway = 40;  // degrees
+constexpr float kConfirmedAnyway = 40;
 
-// When bending to and fro is that of a rough surface.
-constexpr float kTimesRoughness = 6;  // the least angle of an edge
-constexpr float kCertainly = 1.5f;    // times too rough: what is still to come does not help
-constexpr float kCalm = 2;            // degrees; so smooth is what was made, not measured
-constexpr int kFewEdges = 8;          // too few to tell bending to and fro from bending one way
+// The roughness of a side is the part of its bending that cancels out.
+constexpr float kTimesRoughness = 6;  // least angle of an edge
+constexpr float kCertainly = 1.5f;    // times too rough: more triangles would not help
+constexpr float kCalm = 2;            // degrees; CAD meshes are smoother
+constexpr int kFewEdges = 8;          // too few to tell roughness from curvature
 constexpr float kLong = 0.02f;        // D; edges this long are no noise
 constexpr int kFewTriangles = 4;      // of a side, as large faces have them
 
@@ -37,11 +37,11 @@ float bend_at(const Surface& surface, std::uint32_t side) {
     return dot(facet.normal, facet.centre - surface.beyond(side).centre);
 }
 
-/// What the surface is like on one side of an edge: triangles from the one at it on, in rings.
+/// The triangles on one side of an edge, in rings from the one at it.
 class EdgeSide {
 public:
-    /// The side of the edge's own triangle, or the one beyond, as far as edges have at least the
-    /// cosine `passable`; may end where the surface is too rough for an edge of this angle.
+    /// The side of the edge's own triangle, or of the one beyond, up to edges of a cosine below
+    /// `passable`; ends early where the surface is too rough for an edge of this angle.
     EdgeSide(const Surface& surface, const CreaseEdge& edge, bool beyond, float passable,
              float angle)
         : surface_(surface), passable_(passable), is_long_(edge.length() > kLong) {
@@ -57,7 +57,7 @@ public:
         const Vector3f inwards = edge.normals[0].cross(along);
         const Vector3f outwards = edge.normals[1].cross(-along);
         const Vector3f away = beyond ? outwards - inwards : inwards - outwards;
-        // on this side of the plane that halves the angle at the edge
+        // on this side of the bisecting plane of the edge
         const auto is_near = [&](std::uint32_t triangle) {
             const Vector3f offset = surface.facet(triangle).centre - middle;
             const float farthest = across + aside + length / 2;
@@ -84,7 +84,7 @@ public:
 
     bool is_too_rough(float angle) const { return angle < kTimesRoughness * roughness(); }
 
-    /// Whether the surface looks made, not measured.
+    /// Whether the surface is too smooth for a scan.
     bool is_calm() const {
         if (is_long_ && triangles_ < kFewTriangles) return true;
         return edges_ > 0 && roughness() < kCalm;
@@ -107,7 +107,7 @@ private:
             if (!surface_.goes_on(side)) continue;
             const float cosine = surface_.cosine_across(side);
             if (cosine < passable_) continue;
-            const float square = std::max(2 - 2 * cosine, 0.f);  // of the angle, nearly
+            const float square = std::max(2 - 2 * cosine, 0.f);  // about that of the angle
             const float size = std::sqrt(square);
             bends_ += sign * bend_at(surface_, side) > 0 ? size : -size;
             sizes_ += size;
@@ -116,7 +116,7 @@ private:
         }
     }
 
-    /// How much the surface bends to and fro, degrees.
+    /// The root mean square of the angles, degrees, less the share that bends to one side.
     float roughness() const {
         if (!(sizes_ > 0)) return 0;
         const float size = std::sqrt(squares_ / float(edges_)) * kDegrees;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Creases: edges of the form, see crease_edges.cpp, joined to lines. Drawn are those that are long
-// enough together and not ragged.
+// Creases: the edges that crease_edges.cpp finds, joined to lines. Connected lines are drawn if
+// they are long enough together and not ragged.
 #include <algorithm>
 #include <memory>
 #include <mutex>
@@ -20,25 +20,24 @@ namespace {
 
 constexpr std::uint32_t kFewPieces = 12;  // connected ones, that a bad place of a scan may have
 constexpr float kShortNet = 3;            // shortest lines
-// Of rounded edges whose triangles are as large as their radius, some are as sharp as creases, here
-// and there and to and fro: ridges tell them better.
+// Where triangles are as large as the radius of a rounded edge, some edges are as sharp as creases,
+// in zigzags with gaps: ridges show these better.
 constexpr float kRaggedPiece = 0.015f;        // D; longer ones are those of a form
-constexpr std::uint32_t kPiecesOfAFault = 6;  // fewer to a fault are ragged
+constexpr std::uint32_t kPiecesOfAFault = 6;  // fewer per fault are ragged
 
 /// The creases that a style draws, joined to lines.
 struct TracedCreases {
     float least_angle, shortest_line;  ///< of the style
     LineSet lines;  ///< points in mesh coordinates; gradient: the larger angle of the edges
-    /// Which edge goes on from a point to the next one of its line, by point; none from the last.
+    /// By point, the edge from it to the next point of its line; null for the last.
     std::vector<const CreaseEdge*> edges;
 };
 
-/// What belongs together: all lines that are connected with a line, or a line with a loose end
-/// alone.
+/// All lines that are connected; a line with a loose end is a net of its own.
 struct CreaseNet {
     std::uint32_t pieces = 0;
     float length = 0;  ///< D
-    /// Loose ends; and facets between two of the edges, whose third side is bent but none of them.
+    /// Loose ends, and facets between two of the edges whose third side is bent but no crease.
     std::uint32_t faults = 0;
 
     void add(const CreaseNet& other) {
@@ -68,7 +67,6 @@ public:
         }
     }
 
-    /// Those that are drawn.
     void run(const ExtractorData& data, TracedCreases& traced) {
         const std::vector<PieceGraph::Line> lines = graph_.lines();
         const std::vector<CreaseNet> nets = find_nets(lines);
@@ -97,7 +95,7 @@ private:
         return number;
     }
 
-    /// Of a line alone.
+    /// A line alone as a net.
     CreaseNet net_of(const PieceGraph::Line& line) {
         CreaseNet net;
         net.pieces = std::uint32_t(line.pieces.size());
@@ -109,7 +107,7 @@ private:
         return net;
     }
 
-    /// Facets at an edge that have just one other side among the edges; each counts once.
+    /// Facets at an edge with exactly one other side among the edges; each counts once.
     std::uint32_t count_facets(const CreaseEdge& edge) {
         std::uint32_t count = 0;
         for (const std::uint32_t facet : edge.facets) {
@@ -126,7 +124,6 @@ private:
                (graph_.pieces_at(line.nodes.back()) == 1);
     }
 
-    /// By line.
     std::vector<CreaseNet> find_nets(const std::vector<PieceGraph::Line>& lines) {
         DisjointSets connected(graph_.node_count());
         for (const PieceGraph::Line& line : lines)
@@ -148,10 +145,10 @@ private:
     std::unordered_map<std::uint32_t, std::uint32_t> sides_of_facet_;
 };
 
-/// How an edge lies to the eye.
+/// How an edge faces the eye.
 enum class EdgeView {
     Towards,  ///< both of its triangles face the eye, or no contours are drawn
-    Away,     ///< none does, and the body that it is on hides it
+    Away,     ///< neither does, and its own body hides it
     Horizon,  ///< one does: there is a contour
 };
 
@@ -213,7 +210,7 @@ public:
     }
 
 private:
-    /// Those of the last style that was asked for are kept. Thread-safe.
+    /// Caches the result for the last style. Thread-safe.
     std::shared_ptr<const TracedCreases> trace(const ExtractorData& data, FixedLines& all,
                                                const LineStyle& style) const {
         const auto least_angle = float(style.crease_angle);
@@ -230,7 +227,7 @@ private:
         return traced_;
     }
 
-    /// Smaller angles than the default one are seldom asked for, and take long on rough scans.
+    /// Angles below the default are rare, and take long on rough scans.
     const std::vector<CreaseEdge>& edges(const ExtractorData& data, FixedLines& all,
                                          float least_angle) const {
         const float least = least_angle < kEdgeAngle ? 0 : kEdgeAngle;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Demarcating curves: zeros of II(g, g), g the direction in which C(g, g, g) is largest, along
 // which the curvature changes fastest: M. Kolomenkin, I. Shimshoni, A. Tal: "Demarcating Curves for
-// Shape Illustration", SIGGRAPH Asia 2008. g points from hollow to bulging; no curve passes
-// triangles in which it turns by more than 45 degrees. Shown are those that are strong enough, with
-// their weaker continuations.
+// Shape Illustration", SIGGRAPH Asia 2008. g points from concave to convex; no curve passes
+// triangles in which it turns by more than 45 degrees. Curves that are strong enough are shown,
+// with their weaker continuations.
 #include <algorithm>
 #include <cmath>
 
@@ -19,8 +19,8 @@ namespace laplacian_lines {
 namespace {
 
 constexpr int kDirections = 36;        // that are tried; a cubic has at most three maxima
-constexpr float kClear = 0.9f;         // of the largest maximum, the most that another one may be
-constexpr float kLeastTurn = 0.7071f;  // cosine between directions at corners
+constexpr float kClear = 0.9f;         // most of the second largest maximum over the largest
+constexpr float kLeastTurn = 0.7071f;  // least cosine between directions at corners
 constexpr float kLeastLength = 0.02f;  // D
 constexpr float kFading = 3;           // a gentle relief is paler than a steep one
 
@@ -47,7 +47,7 @@ float refined(const Eigen::Vector4f& c, float angle) {
 /// The direction in a tangent plane in which C(g, g, g) is largest.
 struct SteepestBend {
     Eigen::Vector2f direction = Eigen::Vector2f::Zero();  ///< g in the frame of C, unit
-    float slope = 0;  ///< C(g, g, g); 0: none is clearly the largest
+    float slope = 0;  ///< C(g, g, g); 0: no maximum is clearly the largest
 };
 
 SteepestBend steepest_bend(const Eigen::Vector4f& derivative) {

@@ -19,12 +19,12 @@ class FixedLines;
 class FixedKindLines {
 public:
     virtual ~FixedKindLines() = default;
-    /// Appends what the style shows. The eye only matters near contours, `all` for what other kinds
-    /// draw already.
+    /// Appends what the style shows. The eye only matters near contours; `all` has the other kinds,
+    /// whose lines are not doubled.
     virtual void append(const ExtractorData& data, FixedLines& all, const LocalEye& eye,
                         const LineStyle& style, LineSet& lines) const = 0;
-    /// What the style can show from any eye, the same object while that is the same; null for kinds
-    /// that nobody asks for.
+    /// What the style can show from any eye, the same object while that stays the same; null for
+    /// kinds that no other kind needs.
     virtual std::shared_ptr<const LineSet> whole(const ExtractorData&, FixedLines&,
                                                  const LineStyle&) const {
         return nullptr;
@@ -36,7 +36,7 @@ struct FixedKind {
     std::unique_ptr<const FixedKindLines> (*find)(const ExtractorData& data, FixedLines& all);
 };
 
-/// `Lines` are constructed from the data and what other kinds share.
+/// `Lines` is constructed from the data and what the kinds share.
 template <class Lines>
 constexpr FixedKind fixed_kind(LineKind kind) {
     return {
@@ -68,7 +68,7 @@ public:
     std::shared_ptr<const LineSet> whole(const ExtractorData& data, LineKind kind,
                                          const LineStyle& style);
 
-    /// The same for all that ask while lines are appended; not kept, for it is large.
+    /// Shared while lines are appended; not cached, for it is large.
     std::shared_ptr<const Surface> surface(const ExtractorData& data);
 
 private:

@@ -10,8 +10,8 @@ inline std::uint32_t point_count(const Polyline& line) {
     return line.closed ? line.count - 1 : line.count;
 }
 
-/// Appends `count` points of a line of `from`, from one on; of a closed line they may go on at its
-/// beginning, and are closed if they are one more than it has. The length stays that of the line.
+/// Appends `count` points of a line of `from`, starting at point `begin`. On a closed line they may
+/// wrap around, and are closed if they are one more than it has. The length stays that of the line.
 inline Polyline& append_points(const LineSet& from, const Polyline& line, std::size_t begin,
                                std::size_t count, LineSet& to) {
     Polyline part = line;
@@ -24,7 +24,6 @@ inline Polyline& append_points(const LineSet& from, const Polyline& line, std::s
     return to.lines.back();
 }
 
-/// All of it.
 inline Polyline& append_whole(const LineSet& from, const Polyline& line, LineSet& to) {
     return append_points(from, line, 0, line.count, to);
 }

@@ -41,7 +41,7 @@ inline FourOfPoint four_of(const LinePoint& point, int first) {
     return Eigen::Map<const FourOfPoint>(reinterpret_cast<const float*>(&point) + first);
 }
 
-/// The same of a line's points, open ends of which stay where they are.
+/// Smooths a line's points; open ends stay.
 inline void smooth_positions(const Polyline& line, LinePoint* points, int passes) {
     smooth_binomially(
         line.count, line.closed, passes, [&](std::size_t i) { return four_of(points[i], 0); },

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector3f;
 
 constexpr float kAlong = 0.5f;     // least squared cosine
-constexpr float kRoundUp = 1.01f;  // of boxes, which only say what has to be looked at
+constexpr float kRoundUp = 1.01f;  // of boxes, which only preselect
 
 /// Whether a piece passes within the distance of p, about in this direction.
 bool is_along(const Vector3f& begin, const Vector3f& end, float distance, const Vector3f& p,

@@ -8,7 +8,7 @@
 
 namespace laplacian_lines {
 
-/// For each point of `lines`, 1 where a line of `others` runs along: within the distance, in the
+/// For each point of `lines`, 1 if a line of `others` runs beside it: within the distance, in the
 /// points' unit, and at less than 45 degrees. Any number of threads gives the same.
 std::vector<std::uint8_t> points_along(const LineSet& lines, const LineSet& others, float distance);
 

@@ -21,7 +21,7 @@ float bend(const Vector3f& a, const Vector3f& b, float length) {
 /// Two triangles p, q, r and q, p, s with the four around them.
 struct Quad {
     Vector3f p, q, r, s;
-    Vector3f upper, lower;  // normals of the triangles, as the first one's
+    Vector3f upper, lower;  // normals of the triangles, oriented like the first
     Vector3f around[4];     // normals beyond qr, rp, ps, sq; zero: none
 
     bool goes_on_flat(const Vector3f& normal, const Vector3f& beyond) const {
@@ -45,7 +45,7 @@ float cosine_of_edges() {
     return cosine;
 }
 
-/// Zero at borders, and at edges of the form, which are no matter of diagonals.
+/// Zero at borders and at edges of the form, which do not count.
 Vector3f normal_beyond(const Surface& surface, std::uint32_t side, float sign) {
     if (!surface.goes_on(side) || surface.cosine_across(side) < cosine_of_edges())
         return Vector3f::Zero();
@@ -68,7 +68,7 @@ Quad quad_at(const Surface& surface, std::uint32_t side) {
              normal_beyond(surface, at_p, sign), normal_beyond(surface, at_q, sign)}};
 }
 
-/// The sides qr, rp, ps, sq with the triangles that are at them.
+/// The bend across the sides qr, rp, ps, sq, given the normal of the triangle at each.
 float bend_around(const Quad& quad, const Vector3f* const (&normals)[4]) {
     const float lengths[4] = {length_of(quad.q - quad.r), length_of(quad.r - quad.p),
                               length_of(quad.p - quad.s), length_of(quad.s - quad.q)};

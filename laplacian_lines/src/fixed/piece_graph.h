@@ -12,17 +12,16 @@
 
 namespace laplacian_lines {
 
-/// Lines of which only the pieces are known, in no order, each from one node to another: a vertex
-/// of the mesh, or a zero on an edge.
+/// Joins unordered pieces to lines. Each piece goes from one node to another: a vertex of the mesh,
+/// or a zero on an edge.
 class PieceGraph {
 public:
-    /// The number of the node with this key; the next one if there was none.
+    /// The number of the node with this key, added if there is none.
     std::uint32_t node(std::uint64_t key) {
         const auto [place, is_new] = numbers_.try_emplace(key, std::uint32_t(at_.size()));
         if (is_new) add_node();
         return place->second;
     }
-    /// The number of a node without a key.
     std::uint32_t add_node() {
         at_.emplace_back();
         return std::uint32_t(at_.size() - 1);
@@ -38,7 +37,7 @@ public:
         }
     }
 
-    /// From node to node; piece i is between nodes i and i + 1.
+    /// A sequence of nodes; piece i is between nodes i and i + 1.
     struct Line {
         std::vector<std::uint32_t> nodes, pieces;
         bool is_closed;  ///< the last node is the first again
@@ -50,7 +49,7 @@ public:
 private:
     struct Meeting {
         std::uint32_t count = 0;
-        std::uint32_t ends = 0;  // their carry-less sum: of two, either tells the other
+        std::uint32_t ends = 0;  // XOR of the ends: of two, either gives the other
     };
     std::unordered_map<std::uint64_t, std::uint32_t> numbers_;  // by key
     std::vector<Meeting> at_;                                   // by node

@@ -15,13 +15,21 @@ namespace {
 
 using Form = RidgeCandidates::Form;
 
-/// Within which distance to each side an edge turns; its surroundings are as much again beyond.
+// How the angle of an edge is measured:
+//  1. Walk over the surface across the line, every .3 % of D. T(d) is the angle by which the normal
+//     turns within the distance d on one side of the line.
+//  2. Average T over the sections within .75 % of D, and move the line to the middle of the turn.
+//  3. An edge does not turn beyond 2 % of D, a bump does: A = 2 T(2 %) - T(4 %) on either side.
+//  4. The clear part of the turn is A1 + A2 - 1.5 |A1 - A2|. From .3 of the turn on, all of it is
+//  the
+//     angle, below in proportion. Edges of details are measured likewise within 1 and 2 % of D;
+//     their angle counts a quarter.
+
+/// A width within which an edge turns, to each side, and which share of the turn counts.
 struct Scale {
     float near;   ///< D
-    float share;  ///< of the turn that counts
+    float share;  ///< of the turn
 };
-// Edges of a form, and sharp ones of its details. What is fine has to turn more, since smaller
-// bumps do.
 constexpr Scale kScales[] = {{0.02f, 1}, {0.01f, 0.25f}};
 constexpr float kReach = 0.04f;  // of a section, to each side
 
@@ -31,12 +39,12 @@ constexpr float kStep = 0.003f;        // between the sections of a line
 constexpr float kMeanReach = 0.0075f;  // along the line, of the mean of sections
 constexpr float kBendReach = 0.005f;   // the same, of the direction of a section
 
-// What the sides differ by counts so much more than what they have in common.
+// Weight of the difference of the sides against their sum.
 constexpr float kSkew = 1.5f;
-// The share of the turn that has to be clear for the whole of it to count.
+// Least clear share of the turn for all of it to count.
 constexpr float kClear = 0.3f;
 
-/// By how much the surface turns at a section, or at several in the mean, at one scale; degrees.
+/// By how much the surface turns at a section, or at several on average, at one scale; degrees.
 struct Turn {
     float near[2] = {0, 0};  ///< on either side
     float far[2] = {0, 0};   ///< within twice the distance
@@ -53,7 +61,7 @@ struct Turn {
         }
     }
 
-    /// An edge turns near and no more beyond; what turns evenly, far = 2 near, counts nothing.
+    /// 0 where the surface turns evenly: far = 2 near.
     float edge_angle() const {
         const float a = 2 * near[0] - far[0], b = 2 * near[1] - far[1];
         const float clear = a + b - kSkew * std::abs(a - b), all = near[0] + near[1];
@@ -61,7 +69,7 @@ struct Turn {
     }
 };
 
-/// A section, or the mean of several.
+/// The turns of a section, or of several on average.
 struct Turns {
     Turn at_scale[std::size(kScales)];
     float middle = 0;  ///< where the turn has its middle, D
@@ -174,7 +182,7 @@ private:
 
     const std::uint32_t count_;
     const Form* const forms_;
-    std::vector<float> ways_;             // from the begin of the line to its points, D
+    std::vector<float> ways_;             // lengths from the start of the line to its points, D
     std::vector<std::uint32_t> samples_;  // points that have a section
     std::vector<SectionProfile> profiles_;
     std::vector<Turns> turns_;

@@ -12,13 +12,13 @@ namespace laplacian_lines {
 namespace {
 
 constexpr float kDominance = 2;
-// 1/D; less is the roundness of the whole form. The same whatever the mesh and the kernel.
+// 1/D; smaller curvatures are those of the whole form.
 constexpr float kLeastCurvature = 4;
-// D; over a longer way within one triangle nothing tells where the surface bends most.
+// D; within larger triangles the place of the largest bend is unknown.
 constexpr float kLongestPiece = 0.06f;
 constexpr float kMostOfLongPieces = 0.25f;  // of a line's length
 
-/// The sharpest bend at a vertex.
+/// The largest curvature at a vertex.
 struct Bend {
     Eigen::Vector3f direction = Eigen::Vector3f::Zero();  ///< e₁, unit, of either sign
     float curvature = 0;                                  ///< k₁; 0: no candidate
@@ -32,7 +32,7 @@ Bend bend(const VertexRecord& record, const Eigen::Vector3f& laplacian, float si
     const Eigen::Vector3f u = normal_of(record).unitOrthogonal();
     const Eigen::Vector3f v = normal_of(record).cross(u);
     const auto times = [&s](const Eigen::Vector3f& x) -> Eigen::Vector3f {
-        return s.col(0) * x.x() + (s.col(1) * x.y() + s.col(2) * x.z());  // everywhere, see dot()
+        return s.col(0) * x.x() + (s.col(1) * x.y() + s.col(2) * x.z());  // order as in dot()
     };
     const Eigen::Vector3f su = times(u), sv = times(v);
     // In the tangent plane's basis (u, v): the mean of the diagonal and what differs from it.
@@ -63,7 +63,7 @@ public:
         const Bend* b[3] = {&bends_[t[0]], &bends_[t[1]], &bends_[t[2]]};
         if (b[0]->curvature == 0 || b[1]->curvature == 0 || b[2]->curvature == 0) return;
         const float sign[3] = {1, sign_to(*b[0], *b[1]), sign_to(*b[0], *b[2])};
-        // The directions turn around a point inside: no field of directions, so no ridge.
+        // The directions have a singularity inside, so there is no ridge.
         if (sign[1] * sign[2] * sign_to(*b[1], *b[2]) < 0) return;
         float f[3];
         Eigen::Vector3f e = Eigen::Vector3f::Zero();
@@ -104,8 +104,8 @@ private:
     Bend bends_[kClusterVertices];
 };
 
-/// Whether too much of a line runs over triangles that are long along it, such as those of a CAD
-/// part's fillets, which have vertices at their ends alone.
+/// Whether too much of a line runs within long triangles, such as those of a CAD part's fillets,
+/// which have vertices only at their ends.
 bool is_guessed(const Polyline& line, const LinePoint* points, float diagonal) {
     float guessed = 0;
     for (std::uint32_t i = 1; i < line.count; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ridges and valleys: shows of the crest lines what is sharp enough, with its weaker continuations.
+// Ridges and valleys: the crest lines that are sharp enough, with their weaker continuations.
 #include <mutex>
 
 #include "fixed/fixed_lines.h"
@@ -13,8 +13,8 @@ namespace laplacian_lines {
 namespace {
 
 constexpr float kNearCrease = 0.01f;  // D
-constexpr float kFading = 5;          // a soft edge is paler than a sharp one
-constexpr float kClearance = 4;       // the contour of a rounded edge stays near its crest for long
+constexpr float kFading = 5;          // blunt edges are paler than sharp ones
+constexpr float kClearance = 4;       // a rounded edge has its contour near its crest
 
 RidgeCandidates find_ridges(const ExtractorData& data, FixedLines& all, Crest crest) {
     RidgeCandidates found = find_ridge_candidates(data, crest);
@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    /// Which points only double creases; null if none does.
+    /// By point, 1 if it only doubles a crease; null if none does.
     std::shared_ptr<const std::vector<std::uint8_t>> along_creases(
         const ExtractorData& data, const std::shared_ptr<const LineSet>& creases) const {
         if (!creases || creases->lines.empty()) return nullptr;

@@ -10,7 +10,7 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr std::size_t kMostSteps = 4096;  // a section may run around a form that is smaller
+constexpr std::size_t kMostSteps = 4096;  // of a section around a form smaller than its reach
 
 /// A point of the surface and its normal, of any length.
 struct SurfacePoint {
@@ -31,8 +31,8 @@ struct Plane {
     }
 };
 
-/// The plane of a section, moved and turned so little that it clearly crosses the side that it
-/// begins on: not at an end of it, nor along it.
+/// The plane of a section, perturbed so that it crosses the side that it starts on away from its
+/// ends and not along it.
 Plane crossing_plane(const Section& section, const VertexRecord& a, const VertexRecord& b) {
     const SurfacePoint from = between(a, b, 0), to = between(a, b, 1);
     const Eigen::Vector3f edge = to.position - from.position;
@@ -55,8 +55,8 @@ std::uint32_t beyond(const Surface& surface, std::uint32_t side) {
                : kNoSide;
 }
 
-/// Where the plane leaves the triangle that it enters by a side; that side becomes the one by which
-/// it leaves.
+/// Where the plane leaves the triangle that it enters by the side `at`, which becomes the side by
+/// which it leaves.
 SurfacePoint leave(const Surface& surface, const Plane& plane, std::uint32_t& at) {
     const auto height = [&](std::uint32_t v) { return plane.height(surface.record(v)); };
     const bool is_by_next = (height(surface.opposite(at)) < 0) == (height(surface.begin(at)) < 0);
@@ -103,8 +103,8 @@ void SectionProfile::measure(const Surface& surface, const Section& section, flo
     }
 }
 
-/// Calls read(a, b, t) with the neighbours of a place among those that are known, and its share of
-/// the distance between them.
+/// Calls read(a, b, t) with the known places around a distance, and its share of the way from a to
+/// b.
 template <class Read>
 auto SectionProfile::interpolate(float distance, Read read) const {
     const auto after =

@@ -20,14 +20,14 @@ struct Section {
 /// those of the normal against the point's, degrees, and rise where the surface is convex.
 class SectionProfile {
 public:
-    /// Walks over the surface from triangle to triangle, as far as `reach` to both sides, if it
-    /// does not end before. `sign` is what angles are multiplied by: −1 for concave edges.
+    /// Walks over the surface from triangle to triangle, up to `reach` to both sides or to a
+    /// border. `sign`: factor of the angles, −1 for concave edges.
     void measure(const Surface& surface, const Section& section, float sign, float reach);
 
-    /// Beyond the ends of the section the surface goes on without a turn.
+    /// Constant beyond the ends of the section.
     float angle(float distance) const;
     Eigen::Vector3f position(float distance) const;
-    /// Where half of the turn between −reach and reach is on either side.
+    /// The distance at which half of the turn between −reach and reach is on either side.
     float middle(float reach) const;
 
 private:

@@ -12,13 +12,13 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr float kWeak = 0.5f;      // of the least gradient: continues what is stronger
-constexpr float kPlainAngle = 45;  // degrees; up to which a piece counts once
+constexpr float kWeak = 0.5f;      // of the least gradient, for continuations of strong parts
+constexpr float kPlainAngle = 45;  // degrees; sharper pieces count more than their length
 
 /// In D.
 struct StretchLengths {
     float all = 0;
-    float strong = 0;  // of the part that has the gradient, the longest, by sharpness
+    float strong = 0;  // of the longest part with the least gradient, weighted by sharpness
 };
 
 StretchLengths measure(const LinePoint* points, std::uint32_t count, float least, float diagonal) {
@@ -36,7 +36,6 @@ StretchLengths measure(const LinePoint* points, std::uint32_t count, float least
     return lengths;
 }
 
-/// Of a point beside contours.
 float contour_opacity(const ExtractorData& data, const LocalEye& eye, float clearance,
                       const LinePoint& point, const ZeroLines::Form& form) {
     const Eigen::Vector3f l = eye.towards(data.local_of(point.position));

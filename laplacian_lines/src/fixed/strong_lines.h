@@ -7,21 +7,21 @@
 
 namespace laplacian_lines {
 
-/// Which places of lines are strong, by their gradient; weaker ones, down to half of it, are shown
-/// where they continue these.
+/// Which parts of lines are shown: those with the least gradient, and their continuations down to
+/// half of it.
 struct StrongLineRules {
     float least;                       ///< gradient
-    float fading;                      ///< from nothing at the weakest to full opacity
+    float fading;                      ///< opacity is 1 at (1 + fading) times the weakest gradient
     float least_length, least_strong;  ///< of a stretch and of its strong part, D
-    float clearance;                   ///< nearer to a contour points fade; D, in the picture
+    float clearance;                   ///< points nearer to a contour fade; D, in the picture
     int smoothing_passes;
 };
 
-/// Of strong parts sharper pieces count more: what noise makes of a smooth surface is short and
-/// dull, the spine of a dragon is short and sharp. Up to so many times.
+/// Most weight of sharp pieces in the length of a strong part: noise on a smooth surface is short
+/// and blunt, the spine of a dragon short and sharp.
 constexpr float kMostSharpness = 3;
 
-/// Lines of which a style shows what is strong.
+/// Lines of which a style shows the strong parts.
 class StrongLines {
 public:
     explicit StrongLines(ZeroLines found);

@@ -22,7 +22,7 @@ std::vector<Triangle> triangles_of(const std::vector<PlacedCluster>& clusters) {
     return triangles;
 }
 
-/// Of a vertex in several clusters, that of any of them: they are equal.
+/// By vertex; in several clusters a vertex has equal records.
 std::vector<const VertexRecord*> records_of(const ExtractorData& data,
                                             const std::vector<PlacedCluster>& clusters) {
     std::vector<const VertexRecord*> records(data.vertex_count);

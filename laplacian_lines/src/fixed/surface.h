@@ -41,7 +41,7 @@ public:
     std::uint32_t end(std::uint32_t side) const { return end_of(triangles_, side); }
     /// The third vertex of the triangle.
     std::uint32_t opposite(std::uint32_t side) const { return end(next_side(side)); }
-    /// From the begin of a side to its end.
+    /// From the start of a side to its end.
     Eigen::Vector3f span(std::uint32_t side) const {
         return position(end(side)) - position(begin(side));
     }
@@ -50,10 +50,10 @@ public:
     bool goes_on(std::uint32_t side) const {
         return sides_.has_neighbour(side) && beyond(side).area > 0;
     }
-    // Where it does:
+    // Only where goes_on():
     std::uint32_t across(std::uint32_t side) const { return sides_.across(side); }
     const Facet& beyond(std::uint32_t side) const { return facets_[across(side) / 3]; }
-    /// −1 if the triangle beyond has the opposite orientation: turns its normal to this side.
+    /// −1 if the triangle beyond has the opposite orientation; a factor of its normal.
     float sign_across(std::uint32_t side) const {
         return begin(side) == begin(across(side)) ? -1.f : 1.f;
     }
@@ -61,7 +61,7 @@ public:
         return sign_across(side) * dot(facets_[side / 3].normal, beyond(side).normal);
     }
 
-    /// Whether a neighbour is in the triangle's plane, by this cosine.
+    /// Whether the triangle has a coplanar neighbour; `cosine`: the least between their normals.
     bool goes_on_flat(std::uint32_t triangle, float cosine) const {
         for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side)
             if (goes_on(side) && cosine_across(side) >= cosine) return true;

@@ -13,15 +13,15 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kWall = 2;       // times an edge's angle
-constexpr float kAcross = 0.5f;  // sine between a path and a wall at which it ends
+constexpr float kWall = 2;       // times the tested edge's angle
+constexpr float kAcross = 0.5f;  // least sine between a path and a boundary at which it ends
 constexpr float kMostLean = 0.9999f;
 
 Vector3f direction_of(const Surface& surface, std::uint32_t side) {
     return unit(surface.span(side));
 }
 
-/// Unit, in the triangle's plane, out of it across a side.
+/// Unit, in the triangle's plane, outwards across a side.
 Vector3f outwards(const Surface& surface, std::uint32_t side) {
     return direction_of(surface, side).cross(surface.facet(side / 3).normal);
 }
@@ -30,7 +30,7 @@ float arc_sine(float sine) {
     return float(std::asin(std::clamp(double(sine), -1., 1.)));
 }
 
-/// Whether the edge at a side where the surface goes on is bent by less.
+/// Whether the surface bends by less at a side with a neighbour.
 bool is_within(const Surface& surface, std::uint32_t side, const SmallAngle& angle) {
     const float cosine = surface.cosine_across(side);
     return cosine > angle.cosine_below ||
@@ -41,12 +41,13 @@ bool is_wall(const Surface& surface, std::uint32_t side, const SmallAngle& least
     return !surface.goes_on(side) || !is_within(surface, side, least);
 }
 
-/// What turns so much beside an edge is no part of a face that goes on across it.
+/// Edges from this angle on bound the faces on both sides of the tested edge.
 SmallAngle wall_angle(float angle) {
     return SmallAngle(std::min(kWall * std::abs(angle), kEdgeAngle));
 }
 
-/// From a side along the only other one that is a wall; zero: none is, or both.
+/// The direction, away from a side, of the one other side that is a boundary; zero if none or both
+/// are.
 Vector3f along_wall(const Surface& surface, std::uint32_t side, const SmallAngle& least) {
     const std::uint32_t next = next_side(side), last = last_side(side);
     const bool is_next = is_wall(surface, next, least);
@@ -123,7 +124,7 @@ void SurfaceWalk::cross() {
     const std::uint32_t wall = exit_;
     if (slant_ >= kAcross || !is_wall(surface_, wall, wall_angle_)) return;
     direction_ = dot(direction_, along_) > 0 ? along_ : -along_;
-    // the side that is left, unless the path has come from there
+    // the third side, unless the path has come from there
     if (!find_exit(wall)) goes_on_ = false;
 }
 

@@ -24,7 +24,7 @@ struct ZeroLines {
         std::uint32_t side;      ///< of Surface, on which the point lies
         float value;             ///< what the kind of lines measures there, if anything
     };
-    LineSet lines;            ///< opacity and weight are 1, what else is in a point says nothing
+    LineSet lines;            ///< opacity and weight are 1, gradients are not set
     std::vector<Form> forms;  ///< by point
 };
 
@@ -38,15 +38,15 @@ struct Zero {
 using ZeroPiece = std::array<Zero, 2>;
 using ZeroPieces = std::vector<ZeroPiece>;
 
-/// What there is at one end of an edge, from which a zero between its ends is made.
+/// Values at one end of an edge, between which a zero is interpolated.
 struct ZeroEnd {
     float function;        ///< whose zero it is
     Eigen::Vector3f bend;  ///< as ZeroLines::Form has them
     float value;
 };
 
-/// The piece in a triangle of a cluster at some corners of which, not at all, the function is
-/// negative. `ends(a, b)` is a pair of ZeroEnd for two vertices of the cluster.
+/// The piece in a triangle of a cluster in which the function changes its sign. `ends(a, b)` is a
+/// pair of ZeroEnd for two vertices of the cluster.
 template <class Ends>
 ZeroPiece zero_piece(const PlacedCluster& placed, unsigned triangle, const bool is_negative[3],
                      const Ends& ends) {
@@ -55,7 +55,7 @@ ZeroPiece zero_piece(const PlacedCluster& placed, unsigned triangle, const bool 
     std::size_t found = 0;
     for (unsigned k = 0; k < 3; ++k) {
         if (is_negative[k] == is_negative[(k + 1) % 3]) continue;
-        // the same, but for the side, from the triangles on both sides
+        // in this order, so that the triangles on both sides give the same zero
         unsigned a = corners[k], b = corners[(k + 1) % 3];
         if (placed.vertices[b] < placed.vertices[a]) std::swap(a, b);
         const std::pair<ZeroEnd, ZeroEnd> of = ends(a, b);
@@ -76,8 +76,8 @@ ZeroPiece zero_piece(const PlacedCluster& placed, unsigned triangle, const bool 
 ZeroLines trace_zeros(const ExtractorData& data, LineKind kind, float least_length,
                       const std::vector<ZeroPieces>& pieces);
 
-/// Of all clusters: Cluster(placed, more...) has add(triangle, pieces), which appends that in one
-/// triangle, if there is one. Any number of threads gives the same.
+/// The pieces in all clusters: Cluster(placed, more...) has add(triangle, pieces), which appends
+/// the one in a triangle, if any. Any number of threads gives the same.
 template <class Cluster, class... More>
 ZeroLines find_zero_lines(const ExtractorData& data, LineKind kind, float least_length,
                           const More&... more) {

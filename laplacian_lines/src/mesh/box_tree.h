@@ -25,8 +25,8 @@ std::array<std::uint64_t, 128> spread_numbers() {
     return table;
 }
 
-/// Indices along a curve that fills a box (G. Morton, 1966), so that neighbours in the order are
-/// mostly neighbours in space. Points beside the box count as on its border.
+/// Indices along a space-filling curve (G. Morton, 1966), so that neighbours in the order are
+/// mostly neighbours in space. Points outside the box count as on its border.
 template <int Dim, class PointOf>
 std::vector<std::uint32_t> order_along_curve(std::size_t count,
                                              const Eigen::AlignedBox<float, Dim>& box,
@@ -45,7 +45,7 @@ std::vector<std::uint32_t> order_along_curve(std::size_t count,
         const Eigen::Matrix<float, Dim, 1> point = point_of(std::uint32_t(i));
         for (int axis = 0; axis < Dim; ++axis) {
             const float share = (point[axis] - box.min()[axis]) / box.sizes()[axis];
-            const float at = share > 0 ? std::min(share, 1.f) : 0;  // also what is not a number
+            const float at = share > 0 ? std::min(share, 1.f) : 0;  // 0 for NaN
             places[i] |= spread(std::uint64_t(at * float((1 << kBits) - 1))) << axis;
         }
     });
@@ -172,19 +172,19 @@ public:
 
     const std::vector<std::uint32_t>& order() const { return order_; }
 
-    /// Calls visit(number) for the elements whose boxes meet `box`, which it may make smaller,
-    /// until it returns false; false if it did.
+    /// Calls visit(number) for the elements whose boxes meet `box`, which it may shrink, until it
+    /// returns false. Returns whether it never did.
     template <class Visit>
     bool visit(const Box& box, Visit visit) const {
         return levels_.empty() ||
                visit_nodes(top(), 0, box, 0, [&](std::size_t i) { return visit(order_[i]); });
     }
 
-    /// Parts of the tree whose boxes meet, or one twice.
+    /// Two subtrees whose boxes meet, or the same one twice.
     struct Pair {
         std::uint32_t nodes[2];
     };
-    /// Together these hold all pairs of elements that meet, once each.
+    /// Pairs that together hold each pair of elements that meet once.
     std::vector<Pair> pairs() const {
         std::vector<Pair> all;
         if (levels_.empty()) return all;
@@ -213,8 +213,8 @@ private:
     // Level 0 is elements; nodes of level n + 1 have the boxes of levels_[n].
     std::size_t top() const { return levels_.size(); }
 
-    /// Calls visit(node) for nodes of a level below another one that meet a box, until it returns
-    /// false; false if it did.
+    /// Calls visit(node) for the descendants of a node on a level that meet a box, until it returns
+    /// false. Returns whether it never did.
     template <class Visit>
     bool visit_nodes(std::size_t at, std::size_t node, const Box& box, std::size_t level,
                      const Visit& visit) const {
@@ -226,7 +226,7 @@ private:
         return true;
     }
 
-    /// Of two nodes that meet, or one twice.
+    /// As visit_pairs(), for two nodes that meet, or the same one twice.
     template <class Visit>
     void visit_pairs(std::size_t level, std::size_t a, std::size_t b, const Box& box_of_b,
                      const Visit& visit) const {

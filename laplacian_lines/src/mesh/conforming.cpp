@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 
 // Relative to the coordinates: four units in the last place of a float.
 constexpr double kPrecision = 0x1p-22;
-// Of the diagonal. With coarser coordinates there is no form left, and all would be at one place.
+// Of the diagonal: with coarser coordinates all vertices would count as one.
 constexpr double kWorstPrecision = 1e-3;
 
 /// Cuts of sides: the vertices on each, from its first end to its second.
@@ -71,7 +71,7 @@ void for_each_part(const Cuts::value_type& cut, Visit visit) {
     visit(edge_between(from, cut.first[1]));
 }
 
-/// Surfaces that only touch are not cut.
+/// Removes the cuts of which no part is an edge of another triangle: surfaces that only touch stay.
 void keep_joining_cuts(const std::vector<Edge>& sides, Cuts& cuts) {
     std::map<Edge, int> counts;
     for (const auto& cut : cuts)
@@ -85,7 +85,7 @@ void keep_joining_cuts(const std::vector<Edge>& sides, Cuts& cuts) {
     }
 }
 
-/// Where vertices are, and at places the first vertex that a triangle has.
+/// By vertex, the number of its position; by position, the first vertex that a triangle uses.
 struct Places {
     Places(const std::vector<std::uint32_t>& place_of, const std::vector<Triangle>& triangles)
         : of_vertex(place_of), first_used(place_of.size(), 0xffffffffu) {
@@ -97,7 +97,8 @@ struct Places {
     std::vector<std::uint32_t> first_used;
 };
 
-/// Cut from the corner opposite of each side that is. `sides`: bit k: of the mesh's triangle.
+/// Splits a triangle from the corner opposite each cut side. `sides`: bit k is set if side k is one
+/// of the mesh's triangle.
 void cut_triangle(const Triangle& t, unsigned sides, const Places& places, const Cuts& cuts,
                   std::vector<Triangle>& parts) {
     for (unsigned k = 0; k < 3; ++k) {
@@ -129,8 +130,8 @@ std::vector<Triangle> with_places(std::vector<Triangle> triangles,
     return triangles;
 }
 
-/// Of triangles with the same direction along one edge: whether they are sheets that lie on each
-/// other rather than neighbours that face opposite ways.
+/// Whether two triangles with the same direction along an edge lie on each other, instead of being
+/// neighbours of opposite orientation.
 bool are_on_each_other(const std::vector<Vector3d>& positions,
                        const std::vector<Triangle>& triangles, std::uint32_t a, std::uint32_t b) {
     constexpr double kLeastCosine = 0.999;
@@ -151,7 +152,7 @@ bool lies_between(const std::vector<Vector3d>& positions, std::uint32_t vertex, 
     const Vector3d span = positions[to] - positions[from],
                    aside = positions[vertex] - positions[from];
     const double product = span.dot(aside), square = span.squaredNorm();
-    if (!(product > 0 && product < square)) return false;  // most, without a root
+    if (!(product > 0 && product < square)) return false;  // the usual case, without a root
     const double length = std::sqrt(square), along = product / length;
     return along > within && along < length - within &&
            (aside - along / length * span).norm() <= within;

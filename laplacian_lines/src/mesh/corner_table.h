@@ -23,8 +23,8 @@ namespace laplacian_lines {
 ///              d
 class CornerTable {
 public:
-    static constexpr std::uint32_t kBorder = 0xffffffffu;  ///< only one triangle is there
-    static constexpr std::uint32_t kMany = 0xfffffffeu;    ///< more than two are
+    static constexpr std::uint32_t kBorder = 0xffffffffu;  ///< across an edge of one triangle
+    static constexpr std::uint32_t kMany = 0xfffffffeu;    ///< across an edge of more than two
 
     /// No triangle has a corner twice. The number of threads does not matter.
     CornerTable(const std::vector<Triangle>& triangles, std::size_t vertices);

@@ -12,11 +12,11 @@
 
 namespace laplacian_lines {
 
-/// Share of the largest coordinate below which a number is 0, but rounded: CAD programs leave such
-/// differences between faces that meet.
+/// Share of the largest coordinate below which a number is a rounded 0, as CAD programs leave them
+/// where faces meet.
 constexpr double kZeroShare = 0x1p-46;
 
-/// For each position the first one that equals it; those that are not finite equal only themselves.
+/// For each position the first equal one; non-finite ones equal only themselves.
 inline std::vector<std::uint32_t> first_equal_positions(
     const std::vector<Eigen::Vector3d>& positions) {
     const auto largest_of = [&](std::size_t begin, std::size_t end) {

@@ -8,8 +8,8 @@ namespace laplacian_lines {
 namespace {
 
 constexpr double kFlat = 0.9999984769132877;  // least cosine: of 0.1°
-// Of the area. Labels of a head and of an ellipsoid, 40 to 100 voxels, have up to 0.16 of theirs in
-// such faces, but 0.54 if they are as flat as a lens; housings and plates have from 0.40 on.
+// Shares of the area. Segmented heads and ellipsoids of 40 to 100 voxels have up to 0.16 in large
+// faces, but 0.54 if they are as flat as a lens; housings and plates have from 0.40 on.
 constexpr double kLargeFace = 0.02, kShareOfLarge = 0.33;
 
 }  // namespace

@@ -6,21 +6,20 @@
 
 namespace laplacian_lines {
 
-/// Of its area in faces of several triangles, as where a tenth of even triangles' edges is flat
-/// (1 − 0.9³): a mesh with more was made. Scans and voxels of smooth forms have up to 0.24,
-/// machined parts and lofts 0.29 and more.
+/// CAD meshes have more than this share of the area in flat faces of several triangles; it is that
+/// of even triangles of whose edges a tenth is flat, 1 − 0.9³. Scans and voxels of smooth forms
+/// have up to 0.24, machined parts and lofts 0.29 and more.
 constexpr double kMadeShare = 0.27;
 
 /// Flat faces of several triangles.
 struct FlatFaces {
     double share = 0;        ///< of the area
-    double large_share = 0;  ///< of the area, in faces that are large against it
+    double large_share = 0;  ///< of the area, in faces of at least kLargeFace of it
 
-    /// Whether a mesh was made, not measured, so that angles between triangles are those of the
-    /// form, however small.
+    /// Whether the mesh was designed, not scanned, so that angles between triangles, however small,
+    /// are those of the form.
     bool are_made() const { return share > kMadeShare; }
-    /// Whether a third of the area and more is in large ones: plates, housings; not terraces of
-    /// voxels.
+    /// Whether a third of the area is in large faces, as of plates and housings, not of terraces.
     bool are_large() const;
 };
 

@@ -7,9 +7,9 @@
 namespace laplacian_lines {
 namespace {
 
-/// Shares of the edges; open surfaces of a few hundred triangles have borders of 5 %.
+/// Shares of the edges; open surfaces of a few hundred triangles have 5 % borders.
 constexpr double kMostBorders = 0.2, kMostOpposed = 0.02;
-/// Shares of the triangles that were turned: specks of scans; all but what hardly hangs together.
+/// Shares of the triangles that were turned: less is a few specks of a scan, more is nearly all.
 constexpr double kLeastTurned = 1e-3, kMostTurned = 0.9;
 /// Angle, in radians, by which most of the surface turns within the kernel.
 constexpr double kMostBend = 0.7;
@@ -24,7 +24,7 @@ std::vector<MeshFault> faults_of(const MeshReport& report) {
     std::vector<MeshFault> faults;
     if (report.border_share > kMostBorders) faults.push_back(MeshFault::Torn);
     if (report.opposed_share > kMostOpposed) faults.push_back(MeshFault::Disagreeing);
-    if (!faults.empty()) return faults;  // which hide the others
+    if (!faults.empty()) return faults;  // the others follow from these
     const double turned = double(report.turned_triangles) / double(report.triangles);
     if (turned > kMostTurned)
         faults.push_back(MeshFault::InsideOut);

@@ -12,7 +12,7 @@
 namespace laplacian_lines {
 namespace {
 
-// Of the largest coordinate: what rounding to floats, twice, moves the middle of an edge by.
+// Of the largest coordinate: error of an edge's middle that was rounded to floats twice.
 constexpr double kRounding = 5e-7;
 
 using Positions = std::vector<Eigen::Vector3d>;
@@ -22,15 +22,15 @@ double largest_coordinate(const Positions& positions, const std::vector<Triangle
     return std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
 }
 
-/// A large triangle and what it was cut into: side k of the inner triangle is that of quarter k,
-/// which has corner k.
+/// A large triangle and its quarters: side k of the inner one is shared with quarter k, at corner
+/// k.
 struct Cut {
     Triangle corners;
     std::uint32_t inner;
     std::array<std::uint32_t, 3> quarters;
 };
 
-/// Puts quarters together, from one large triangle to the next across their sides.
+/// Joins quarters to large triangles, from one to the next across their sides.
 class QuarterJoiner {
 public:
     QuarterJoiner(const Positions& positions, const std::vector<Triangle>& triangles, double within)
@@ -41,7 +41,7 @@ public:
           role_(positions.size(), Role::Unknown),
           is_done_(triangles.size(), 0) {}
 
-    /// Cuts that a triangle can be of: it, or one beside it, is the inner triangle.
+    /// The cuts that a triangle can belong to: it, or a neighbour, is the inner triangle.
     std::vector<Cut> cuts_with(std::uint32_t triangle) const {
         std::vector<Cut> cuts;
         const auto add = [&](std::uint32_t inner) {
@@ -53,8 +53,9 @@ public:
         return cuts;
     }
 
-    /// On flat parts there is a choice, but none at a large triangle's corner that is farthest to
-    /// one side, as each surface has: that is no midpoint.
+    /// On flat parts, where several cuts are possible, triangles are skipped at first. They are
+    /// reached from a vertex that is farthest to one side, as each surface has: that is no
+    /// midpoint.
     bool run() {
         for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
             if (is_done_[i]) continue;
@@ -121,7 +122,7 @@ private:
         return true;
     }
 
-    /// Across the side opposite of a quarter's corner.
+    /// The inner triangle, across the side opposite a quarter's corner.
     bool find_inner(std::uint32_t quarter, std::uint32_t corner,
                     std::vector<std::uint32_t>& open) const {
         const Triangle& t = triangles_[quarter];
@@ -160,7 +161,7 @@ private:
     std::vector<Midpoint> midpoints_;
 };
 
-/// Of most meshes the first triangle is no part of a cut, which those around it tell.
+/// Whether the first triangle can be part of a cut, which rules out most meshes at once.
 bool begins_cut(const Positions& positions, const std::vector<Triangle>& triangles, double within) {
     const Triangle& first = triangles.front();
     const auto around = collect<Triangle>(triangles.size(), [&](std::uint32_t t, auto& found) {

@@ -49,17 +49,12 @@ std::uint32_t third_of(const Triangle& t, const Edge& edge) {
                          [&](std::uint32_t v) { return v != edge[0] && v != edge[1]; });
 }
 
-}  // namespace
-
-void unfold_needles(const Positions& positions, std::vector<Triangle>& triangles) {
-    const auto needles =
-        collect<std::uint32_t>(triangles.size(), [&](std::uint32_t t, auto& found) {
-            if (has_three_corners(triangles[t]) && is_needle(positions, triangles[t]))
-                found.push_back(t);
-        });
-    if (needles.empty()) return;
-    std::map<Edge, std::vector<std::uint32_t>> at;  // triangles at the needles' longest sides
-    std::vector<bool> is_end(positions.size());     // of one, as few vertices are
+/// The triangles at the longest side of each needle.
+std::map<Edge, std::vector<std::uint32_t>> at_longest_sides(
+    const Positions& positions, const std::vector<Triangle>& triangles,
+    const std::vector<std::uint32_t>& needles) {
+    std::map<Edge, std::vector<std::uint32_t>> at;
+    std::vector<bool> is_end(positions.size());  // few vertices are, so look-ups are rare
     for (const std::uint32_t n : needles) {
         const Triangle needle = from_longest(positions, triangles[n]);
         at[edge_between(needle[0], needle[1])];
@@ -72,24 +67,45 @@ void unfold_needles(const Positions& positions, std::vector<Triangle>& triangles
             const auto edge = at.find(edge_between(a, b));
             if (edge != at.end()) edge->second.push_back(t);
         }
+    return at;
+}
+
+/// Flips the longest side of a needle that is folded back over its neighbour there, unless that
+/// makes another needle. Returns whether it did.
+bool unfold(const Positions& positions, Triangle& needle, Triangle& neighbour) {
+    const auto [a, b, v] = from_longest(positions, needle);
+    const std::uint32_t o = third_of(neighbour, edge_between(a, b));
+    Triangle parts[2] = {neighbour, neighbour};  // with its orientation
+    std::replace(parts[0].begin(), parts[0].end(), b, v);
+    std::replace(parts[1].begin(), parts[1].end(), a, v);
+    const Vector3d to_v = across(positions, a, b, v), to_o = across(positions, a, b, o);
+    const bool is_folded = o != v && to_v.dot(to_o) > kLeastCosine * to_v.norm() * to_o.norm();
+    if (!is_folded || is_needle(positions, parts[0]) || is_needle(positions, parts[1]))
+        return false;
+    neighbour = parts[0];
+    needle = parts[1];
+    return true;
+}
+
+}  // namespace
+
+void unfold_needles(const Positions& positions, std::vector<Triangle>& triangles) {
+    const auto needles =
+        collect<std::uint32_t>(triangles.size(), [&](std::uint32_t t, auto& found) {
+            if (has_three_corners(triangles[t]) && is_needle(positions, triangles[t]))
+                found.push_back(t);
+        });
+    if (needles.empty()) return;
+    const auto at = at_longest_sides(positions, triangles, needles);
     std::vector<bool> is_changed(triangles.size());
     for (const std::uint32_t n : needles) {
-        const auto [a, b, v] = from_longest(positions, triangles[n]);
-        const std::vector<std::uint32_t>& two = at[edge_between(a, b)];
-        if (two.size() != 2 || is_changed[two[0]] || is_changed[two[1]]) continue;
+        if (is_changed[n]) continue;
+        const Triangle needle = from_longest(positions, triangles[n]);
+        const std::vector<std::uint32_t>& two = at.at(edge_between(needle[0], needle[1]));
+        if (two.size() != 2) continue;
         const std::uint32_t other = two[two[0] == n];
-        const Triangle whole = triangles[other];
-        const std::uint32_t o = third_of(whole, edge_between(a, b));
-        Triangle parts[2] = {whole, whole};  // the way round of the neighbour
-        std::replace(parts[0].begin(), parts[0].end(), b, v);
-        std::replace(parts[1].begin(), parts[1].end(), a, v);
-        const Vector3d to_v = across(positions, a, b, v), to_o = across(positions, a, b, o);
-        const bool is_folded = o != v && to_v.dot(to_o) > kLeastCosine * to_v.norm() * to_o.norm();
-        if (!is_folded || is_needle(positions, parts[0]) || is_needle(positions, parts[1]))
-            continue;
-        triangles[other] = parts[0];
-        triangles[n] = parts[1];
-        is_changed[other] = is_changed[n] = true;
+        if (!is_changed[other] && unfold(positions, triangles[n], triangles[other]))
+            is_changed[other] = is_changed[n] = true;
     }
 }
 

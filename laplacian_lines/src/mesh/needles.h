@@ -8,9 +8,9 @@
 
 namespace laplacian_lines {
 
-/// A triangle narrower than 1e-4 D, and than a hundredth of its length, that is folded flat over
-/// its longest side turns its back for no form. Has it and its neighbour there share their other
-/// diagonal. Positions are in D.
+/// Flips the longest side of needles that are folded back over it: triangles narrower than 1e-4 D
+/// and than a hundredth of their length. They would be back faces that are no part of the form.
+/// Positions are in D.
 void unfold_needles(const std::vector<Eigen::Vector3d>& positions,
                     std::vector<Triangle>& triangles);
 

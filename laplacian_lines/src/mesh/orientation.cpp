@@ -17,10 +17,18 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A surface that does not close up but for holes has no inside, nor has one without a volume.
+// How triangles are oriented:
+//  1. Neighbours across edges of two triangles are made to agree: bodies, from a first triangle
+//  each.
+//  2. A closed body, also with holes, is turned as a whole if its signed volume is negative, an
+//  open
+//     one if step 1 has turned most of its area.
+//  3. A closed body inside another, found by a ray, is turned with that: it is a cavity or a part.
+
+// A closed surface has holes of at most these borders, and a volume.
 constexpr double kMostBordersOfHoles = 0.02;  // share of the edges
 constexpr double kMostOpen = 0.1;             // |Σ area vectors| / area
-// 3 volume / (area · D): what shows which side is inside; plates without holes are thin.
+// 3 volume / (area · D), below which the inside is uncertain; plates without holes are thin.
 constexpr double kLeastVolume = 0.02, kLeastVolumeOfClosed = 1e-6;
 constexpr std::uint32_t kNone = 0xffffffffu;
 
@@ -57,8 +65,8 @@ struct Body {
     }
 };
 
-/// Which closed bodies lie in which: along a ray from a triangle of each, by how often it meets the
-/// others.
+/// Finds which closed bodies lie in which: a ray from one crosses those around it an odd number of
+/// times.
 class Nesting {
 public:
     Nesting(const PreparedMesh& mesh, const std::vector<std::uint32_t>& body_of,
@@ -84,7 +92,7 @@ public:
             const Triangle& t = mesh_.triangles[first[b]];
             const auto& p = mesh_.positions;
             const Vector3d from = (p[t[0]] + p[t[1]] + p[t[2]]) / 3;
-            Box ray(from.cast<float>().eval());  // along x, beyond all
+            Box ray(from.cast<float>().eval());  // along x, to beyond the mesh
             ray.max().x() = 2;
             std::map<std::uint32_t, int> crossings;
             triangles.visit(ray, [&](std::uint32_t other) {
@@ -99,7 +107,7 @@ public:
     }
 
 private:
-    /// The same for both triangles of a side, so that a ray that meets it passes one of them.
+    /// Consistent at sides: a ray that meets one passes exactly one of its triangles.
     bool is_pierced(std::uint32_t triangle, const Vector3d& from) const {
         const Triangle& t = mesh_.triangles[triangle];
         const Vector3d corners[3] = {mesh_.positions[t[0]], mesh_.positions[t[1]],
@@ -123,7 +131,7 @@ private:
     std::vector<Body>& bodies_;
 };
 
-/// From the outside inwards: what lies in solid matter, a cavity or another body, turns with it.
+/// From the outside inwards: bodies within solid matter are turned with it.
 void turn_together(std::vector<Body>& bodies) {
     std::vector<std::uint32_t> order(bodies.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -168,7 +176,7 @@ private:
         return begin_of(mesh_.triangles, side) == begin_of(mesh_.triangles, other);
     }
 
-    /// What edges of two triangles connect.
+    /// Bodies: triangles that are connected across edges of two.
     void find_bodies() {
         std::vector<std::uint32_t> open;
         for (std::uint32_t first = 0; first < body_of_.size(); ++first) {
@@ -213,7 +221,7 @@ private:
             ++bodies_[body_of_[side / 3]].borders;
             ++borders;
         }
-        if (bodies_.size() > 1)  // the borders of one are its form
+        if (bodies_.size() > 1)  // a single open surface has borders by intent
             mesh_.report.border_share = double(borders) / double(table_.edge_count());
     }
 
@@ -239,7 +247,7 @@ private:
     const CornerTable table_;
     std::vector<Body> bodies_;
     std::vector<std::uint32_t> body_of_;   // by triangle
-    std::vector<std::uint8_t> is_turned_;  // against the first of its body
+    std::vector<std::uint8_t> is_turned_;  // against the first triangle of its body
 };
 
 }  // namespace

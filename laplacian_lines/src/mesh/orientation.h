@@ -5,10 +5,9 @@
 
 namespace laplacian_lines {
 
-/// Turns triangles so that neighbours agree about the outside where that is possible, and closed
-/// bodies, but for holes as scans have them, face outwards. What lies in a body turns with it, so
-/// that cavities stay; open surfaces keep the side of most of their area. Fills in what MeshReport
-/// tells about edges and turned triangles.
+/// Turns triangles so that neighbours agree about the outside where that is possible and closed
+/// bodies face outwards, see orientation.cpp. Fills in the edges and turned triangles of
+/// MeshReport.
 void orient(PreparedMesh& mesh);
 
 }  // namespace laplacian_lines

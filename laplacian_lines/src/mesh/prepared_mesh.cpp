@@ -21,18 +21,18 @@ namespace laplacian_lines {
 namespace {
 
 constexpr std::uint32_t kUnused = 0xffffffffu;
-// sin of the smallest angle a triangle may have; far below what float input can resolve.
+// Sine of the smallest angle of a triangle; far below what float input can resolve.
 constexpr double kLeastSine = 1e-12;
 // Diagonals for which D² and 1/D², floats in the field, stay far from overflow and underflow.
 constexpr double kLeastDiagonal = 1e-15, kLargestDiagonal = 1e15;
 
 // Of the mean edge: coarser coordinates bend smooth surfaces by some degrees at every edge.
 constexpr double kCoarseStep = 0.1;
-constexpr std::size_t kFewTriangles = 1000;  // which are a form by themselves, on whatever grid
-// Steps; where no triangle is larger, voxels or hexahedra are the form.
+constexpr std::size_t kFewTriangles = 1000;  // coordinates of so few may be round by design
+// In steps: if no triangle is larger, the form consists of voxels or hexahedra.
 constexpr double kCell = 2.5;
 
-// Squares of lengths in this range can be squared again.
+// Sums of squared lengths in this range can be squared without overflow or underflow.
 constexpr double kLeastPlain = 1e-60, kLargestPlain = 1e60;
 
 using Positions = std::vector<Eigen::Vector3d>;
@@ -82,7 +82,7 @@ void expect_surface(const std::vector<Triangle>& usable) {
                     "point cloud, reconstruct one first.");
 }
 
-/// Has triangles use the vertices that count, whose triangles now are neighbours.
+/// Makes triangles use representatives, so that triangles at cuts become neighbours.
 void stitch(const TriangleMesh& mesh, const std::vector<std::uint32_t>& place_of,
             PreparedMesh& prepared) {
     prepared.representative = stitch_cuts(mesh.positions, place_of, prepared.triangles);
@@ -118,7 +118,8 @@ void undo_subdivisions(const Positions& positions, const Undoing& undoing, Prepa
 }
 
 /// Around the mesh's centre, coordinates may be coarser than around the origin. Drops triangles
-/// that lose their area by it and restores the vertices of the others; false if none does.
+/// that lose their area by this and restores the vertices of the others. Returns whether any was
+/// dropped.
 bool drop_lost_triangles(PreparedMesh& prepared) {
     std::vector<Triangle> usable = usable_triangles(prepared.positions, prepared.triangles);
     expect_surface(usable);
@@ -180,10 +181,10 @@ void to_local_coordinates(const TriangleMesh& mesh, PreparedMesh& prepared) {
     });
 }
 
-/// Of which the extents of all triangles' sides are multiples, by Euclid's algorithm; 0 if it is
-/// less than `least`.
+/// Greatest common divisor of the extents of all triangles' sides, by Euclid's algorithm; 0 if it
+/// is less than `least`.
 double common_step(const TriangleMesh& mesh, const PreparedMesh& prepared, double least) {
-    constexpr double kOff = 0.01;  // of a step, besides what rounding to floats adds up to
+    constexpr double kOff = 0.01;  // tolerance, in steps, besides that for rounding to floats
     const double rounding =
         0x1p-23 * (prepared.centre.cwiseAbs().maxCoeff() + prepared.diagonal / 2);
     double step = 0;

@@ -20,9 +20,9 @@ struct PreparedMesh {
     std::vector<Triangle> triangles;             ///< indices into positions
     std::vector<double> masses;                  ///< [N], a third of the incident area; once sorted
     std::vector<std::uint32_t> original_vertex;  ///< [N] -> index in the input
-    /// The vertex that counts for each vertex of the input, see stitch_cuts(); empty: itself.
+    /// The representative of each vertex of the input, see stitch_cuts(); empty: itself.
     std::vector<std::uint32_t> representative;
-    /// Vertices of the input that undone subdivisions had added: ends come behind.
+    /// Vertices of the input that undone subdivisions had added; those of later ones come first.
     std::vector<Midpoint> midpoints;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< centre of the bounding box, input units
     double diagonal = 0;                               ///< D, input units
@@ -38,7 +38,7 @@ enum class Cuts { Left, Stitched };
 /// Whether triangles are turned: see orient().
 enum class Facing { Kept, Outwards };
 
-/// Which subdivisions are undone: as many as leave no longer edges, on the mean; by default none.
+/// How many subdivisions are undone: at most so many, and only as long as the mean edge is shorter.
 struct Undoing {
     int most = 0;                                                    ///< times
     double longest_edge = std::numeric_limits<double>::infinity();   ///< mesh units

@@ -59,7 +59,7 @@ std::vector<Found> visit_edges(std::size_t count, std::size_t vertices, EdgeOf e
     sort_in_buckets(count, bucket_count, [&](std::uint32_t i) {
         return edge_of(i)[0] * bucket_count / vertices;
     }).for_each([&](std::size_t bucket, std::uint32_t* begin, std::uint32_t* end) {
-        // first by the edges' smaller vertices, at each of which are but a few
+        // first by the edges' smaller vertices, each of which has few edges
         const std::size_t first = first_of(bucket), own = first_of(bucket + 1) - first;
         std::vector<std::uint32_t> ends(own + 2);
         for (const std::uint32_t* i = begin; i != end; ++i)

@@ -11,7 +11,7 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr std::uint32_t kSmallSubtree = 8192;  // points; not worth cutting for other threads
+constexpr std::uint32_t kSmallSubtree = 8192;  // points; too few for several threads
 // Leaves are sorted down to groups of this size, so that there, too, neighbours share cache lines.
 constexpr std::uint32_t kGroupSize = 8;
 constexpr int kSamples = 64;
@@ -59,7 +59,7 @@ std::int64_t choose_pivot(const Item* begin, const Item* end, const Item* middle
     std::int64_t samples[kSamples];
     for (int i = 0; i < count; ++i)
         samples[i] = begin[size * i / count].key(Axis);
-    // Rather beyond the middle as seen from the nearer end, which leaves the smaller part.
+    // Slightly beyond the middle as seen from the nearer end, so that the smaller part is left.
     const double part = double(middle - begin) / double(size);
     const int rank = part < 0.5 ? int(std::ceil(part * count)) + 1 : int(part * count) - 1;
     std::int64_t* pivot = samples + std::clamp(rank, 1, count - 1);

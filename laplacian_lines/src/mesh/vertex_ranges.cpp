@@ -5,7 +5,7 @@
 
 namespace laplacian_lines {
 
-/// The first corner is the smallest, so a triangle's other ranges come after that of its own.
+/// A triangle's first corner is its smallest, so the ranges that share it come after its own.
 VertexRanges::VertexRanges(const PreparedMesh& mesh)
     : mesh_(mesh),
       shared_(collect<Shared>(mesh.triangles.size(), [&](std::uint32_t t, auto& found) {

@@ -11,7 +11,7 @@ namespace {
 
 const char* const kUsual = "usual";
 
-/// Case, blanks and underscores do not matter.
+/// A name without case, blanks and underscores.
 std::string essence(const std::string& name) {
     std::string result;
     for (const char c : name)

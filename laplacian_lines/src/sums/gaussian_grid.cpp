@@ -18,8 +18,7 @@ namespace {
 // n_x^i n_y^j n_z^k that do not depend on p. The first group of 16 has degrees 0, 1 and 3; the
 // second has degree 4, from which degree 2 follows since |n| = 1.
 
-// Moments of degree 3, from the fifth of the first group on, and how often each occurs among the 27
-// entries of the tensor.
+// Moments of degree 3, from the fifth of the first group on.
 enum { kXXX, kYYY, kZZZ, kXXY, kXXZ, kXYY, kYYZ, kXZZ, kYZZ, kXYZ, kCubic };
 constexpr double kEntries[kCubic] = {1, 1, 1, 3, 3, 3, 3, 3, 3, 6};
 constexpr int kFirstCubic = 4;
@@ -42,7 +41,7 @@ enum {
     kXYYZ,
     kXYZZ
 };
-// The axis that a moment of degree 3 has an odd number of factors of; 3: none.
+// The axis with an odd number of factors in a moment of degree 3; 3: none.
 constexpr int kOddAxis[kCubic] = {0, 1, 2, 1, 2, 0, 2, 0, 1, 3};
 // Moments of degree 4 that are x, y and z times those of degree 3.
 constexpr int kTimes[3][kCubic] = {
@@ -65,7 +64,6 @@ double dot(const double* a, const float* b, int count) {
     return sum;
 }
 
-/// Of one vertex of mass m.
 void set_moments(double mass, const Eigen::Vector3d& normal, GridNode& node) {
     const Eigen::Vector3d mn = mass * normal;
     double cubic[kCubic];
@@ -81,14 +79,14 @@ void set_moments(double mass, const Eigen::Vector3d& normal, GridNode& node) {
     t[2 * kMoments - 1] = 0;
 }
 
-/// Around p, for its normal.
+/// Sums around p, for its normal.
 struct ContractedMoments {
     double mass = 0;           ///< Σ m w
     Eigen::Vector3d normal;    ///< Σ m w n_q
     Eigen::Vector3d gradient;  ///< of the mass, as the derivatives in `sums`
 };
 
-/// With w = facing_weight() or 1.
+/// `facing`: w = facing_weight(), else 1.
 ContractedMoments contract(const PointSums& sums, const Eigen::Vector3d& n, bool facing) {
     const float* t = sums.moments;
     const Eigen::Vector3d first(t[1], t[2], t[3]);
@@ -227,7 +225,7 @@ private:
         return std::size_t(slab) * grid_.sites() + site;
     }
 
-    /// For masses of a slab, which its points and those of the one before spread.
+    /// Prepares the masses of a slab, to which its points and those of the slab before contribute.
     void make_room(int slab) {
         BlockSlab& masses = masses_[slab % 2];
         masses.allocate(grid_.sites(), [&](std::size_t site) {
@@ -250,7 +248,7 @@ private:
         return node;
     }
 
-    /// Boxes of blocks that are two apart do not overlap: every other one along x and y at once.
+    /// In parallel for every second block along x and y, since their boxes do not overlap.
     void spread_points(int slab) {
         const auto row = std::size_t(grid_.blocks[0] + 1) / 2,
                    rows = std::size_t(grid_.blocks[1] + 1) / 2;

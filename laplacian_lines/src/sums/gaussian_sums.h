@@ -52,8 +52,8 @@ GaussianSums gaussian_sums(const PreparedMesh& mesh, const SpatialTree& tree,
 
 struct GridResolution;  // summation_cost.h
 
-/// As gaussian_sums() without cutoff and normal_falloff, of kernels of one size, as exact as the
-/// resolution, in a time that hardly depends on the kernel size: masses times moments of the
+/// As gaussian_sums() without cutoff and normal_falloff, for kernels of one size, with the accuracy
+/// of the resolution, in a time that hardly depends on the kernel size: masses times moments of the
 /// normals are spread over a grid by cubic B-splines, convolved along x, y and z, and interpolated
 /// (R. W. Hockney and J. W. Eastwood, "Computer Simulation Using Particles", 1981; the idea is from
 /// L. Greengard and J. Strain, "The Fast Gauss Transform", 1991). Only nodes near the surface

@@ -11,7 +11,7 @@
 
 namespace laplacian_lines {
 
-/// Room for so many nodes, whose values are lost if it grows.
+/// Makes room for so many nodes; values are lost if it grows.
 inline GridNode* grow(std::vector<GridNode>& nodes, std::size_t count) {
     if (nodes.size() < count) nodes = large_array<GridNode>(count + count / 4);
     return nodes.data();
@@ -20,7 +20,7 @@ inline GridNode* grow(std::vector<GridNode>& nodes, std::size_t count) {
 /// The blocks of a slab that hold anything, by site.
 class BlockSlab {
 public:
-    /// Those for which is_needed(site), with values left to be set.
+    /// Allocates the blocks for which is_needed(site); their values are not set.
     template <class IsNeeded>
     void allocate(std::size_t sites, IsNeeded is_needed) {
         sites_.clear();
@@ -101,7 +101,7 @@ public:
     const BlockSlab& result(int slab) const { return z_[slab % 2]; }
 
 private:
-    /// The site that is j blocks further on along x or y; none beyond the slab.
+    /// The site j blocks further along x or y; grid_.sites() if beyond the slab.
     std::size_t site_beside(int axis, std::size_t site, int j) const {
         const int place = axis == 0 ? int(site) % grid_.blocks[0] : int(site) / grid_.blocks[0];
         if (place + j < 0 || place + j >= grid_.blocks[axis]) return grid_.sites();

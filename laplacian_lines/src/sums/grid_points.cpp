@@ -23,7 +23,7 @@ GridGeometry::GridGeometry(const std::vector<Eigen::Vector3d>& points, double ce
     : cell(cell), per_cell(1 / cell) {
     const Eigen::AlignedBox3d box = bounding_box(
         points.size(), [&](std::size_t i) -> const Eigen::Vector3d& { return points[i]; });
-    // Half a cell more than the points reach, for rounding.
+    // With half a cell more than needed, for rounding.
     origin = box.min() - Eigen::Vector3d::Constant(2.5 * cell);
     // Slabs across the longest axis are small, and few of them are in memory.
     box.sizes().maxCoeff(&axes[2]);

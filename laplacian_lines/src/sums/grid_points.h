@@ -10,9 +10,9 @@
 
 namespace laplacian_lines {
 
-/// A regular grid in blocks of 4 x 4 x 4 nodes around points, with room for what they reach. Blocks
-/// are numbered along x, y, z; a slab is the blocks of one z, a site a block's number in its slab.
-/// No point's first node is in the last block along an axis.
+/// A regular grid around points and the support of their splines, in blocks of 4 x 4 x 4 nodes.
+/// Blocks are numbered along x, y, z; a slab is the blocks of one z, a site a block's number in its
+/// slab. No point's first node is in the last block along an axis.
 struct GridGeometry {
     GridGeometry(const std::vector<Eigen::Vector3d>& points, double cell);
 
@@ -41,12 +41,12 @@ struct GridGeometry {
     int blocks[3];
 };
 
-/// The points of a grid by the block of the first node they reach, in their given order.
+/// The points of a grid, sorted by the block of first_node(); in a block they keep their order.
 class GridPoints {
 public:
     GridPoints(const GridGeometry& grid, const std::vector<Eigen::Vector3d>& positions);
 
-    /// Blocks that the box of some block's points overlaps.
+    /// By block, whether any point's splines reach it.
     const std::vector<std::uint8_t>& reached() const { return reached_; }
     const std::uint32_t* begin(std::size_t block) const { return order_.data() + starts_[block]; }
     const std::uint32_t* end(std::size_t block) const { return order_.data() + starts_[block + 1]; }

@@ -12,24 +12,25 @@
 
 namespace laplacian_lines {
 
-/// Places of the points of a leaf, from the middle of its box; 0 where it has none.
+/// Positions of the points of a leaf, relative to the centre of its box; unused ones are 0.
 struct LeafPlaces {
     using Row = Eigen::Array<float, SpatialTree::kLeafSize, 1>;
     Row axes[3] = {Row::Zero(), Row::Zero(), Row::Zero()};
 };
 
-/// Writes the numbers of the first `count` places that, moved by `shift`, are at most
+/// Writes the numbers of those of the first `count` positions that, moved by `shift`, are at most
 /// √squared_reach from a box around the origin; returns how many.
 std::size_t find_near(const LeafPlaces& places, std::size_t count, const Eigen::Vector3f& shift,
                       const Eigen::Vector3f& half_size, float squared_reach,
                       std::uint32_t near[SpatialTree::kLeafSize]);
 
 /// The vertices of a mesh, sorted by the tree, as sources of sums for all vertices of a leaf at
-/// once. A Source has a place x, y, z in floats, which are small numbers: from the leaf's middle.
+/// once. A Source has a position x, y, z in floats, relative to the leaf's centre, so that numbers
+/// are small.
 template <class Source>
 class LeafSources {
 public:
-    /// `source_of(v)`: but for the place.
+    /// `source_of(v)`: without the position.
     template <class SourceOf>
     LeafSources(const PreparedMesh& mesh, const SpatialTree& tree, SourceOf source_of)
         : tree_(tree),

@@ -10,7 +10,7 @@ namespace SIMD_SET {
 constexpr float kRound = 12582912.f;  // 1.5·2^23: adding it rounds to an integer
 constexpr float kQuickFactor = 0.0780245226f, kQuickUnit = 8388608;  // 2^23
 
-/// Times 2^n, `shifted` = n + kRound: its low bits hold n, to be added to the exponent field.
+/// y · 2^n for `shifted` = n + kRound: its low bits hold n, which is added to the exponent field.
 static inline Floats scaled(Floats y, Floats shifted) {
     return (Floats)((Ints)y + ((Ints)shifted << 23));
 }
@@ -30,13 +30,12 @@ static inline Floats exp2_exactly(Floats x) {
     return scaled(y, shifted);
 }
 
-/// 2^x / kQuickFactor of x · 2^23, |x| < 120; relative error 8e-5 of changing sign; anything
-/// for other x. Adders bound the sums, so x is split by a conversion.
+/// 2^x / kQuickFactor for an argument x · 2^23, |x| < 120; relative error 8e-5 of alternating sign.
+/// Additions bound the sums, so x is split by a conversion.
 static inline Floats quick_exp2(Floats x) {
     const Ints fixed = __builtin_convertvector(x, Ints);
     const Floats m = (Floats)((fixed & 0x7fffff) | 0x3f800000);  // 1 + the fraction
-    // 2^(m − 1): the polynomial of degree 3 of the smallest largest error, over its first
-    // coefficient.
+    // 2^(m − 1): the minimax polynomial of degree 3, divided by its first coefficient.
     const Floats y = ((m - 0.102614088f) * m + 6.12336733f) * m + 5.79477163f;
     return (Floats)((Ints)y + (fixed & ~0x7fffff));
 }
@@ -80,9 +79,9 @@ static inline void sum(const GaussianTargets& t, const GaussianSource* sources,
 /// Sources whose weights are kept, so that registers hold either what these need or the sums.
 constexpr std::size_t kTogether = 32;
 
-// Most is folded. It sums q and n_q, from which the sums of q − p and n_q − n_p follow; the
-// exponent −(|q − p|² − c²)/4h is multiplied out, and its sign says whether q is within the cutoff
-// c. As long as it depends on the distance alone, errors of quick_exp2() are the same all around p.
+// It sums q and n_q, from which the sums of q − p and n_q − n_p follow; the exponent −(|q − p|² −
+// c²)/4h is multiplied out, and its sign says whether q is within the cutoff c. Errors of
+// quick_exp2() depend on the distance alone, so they are the same all around p.
 static inline void sum_quickly(const GaussianTargets& t, const GaussianSource* sources,
                                std::size_t source_count, std::size_t lane, GaussianLaneSums& sums) {
     const Floats px = load(t.x + lane), py = load(t.y + lane), pz = load(t.z + lane),
@@ -92,7 +91,7 @@ static inline void sum_quickly(const GaussianTargets& t, const GaussianSource* s
         (px * px + py * py + pz * pz) * exponent - kQuickUnit * t.log2_cutoff;
     const float* mean = t.mean_normal;
     const Floats tx = load(t.nx + lane), ty = load(t.ny + lane), tz = load(t.nz + lane);
-    // n_p, or 0 to have 1 + cosine be 2 at all sources.
+    // n_p, or 0, so that 1 + cosine is 2 at all sources.
     const Floats nx = t.facing * (tx + mean[0]), ny = t.facing * (ty + mean[1]),
                  nz = t.facing * (tz + mean[2]);
     const Floats mean_cosine = mean[0] * nx + mean[1] * ny + mean[2] * nz + (2 - t.facing);

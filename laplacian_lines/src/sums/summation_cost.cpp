@@ -16,17 +16,17 @@ namespace {
 // Measured on a processor with AVX-512; the ratios are about the same with AVX2.
 constexpr double kPerLeafPair = 0.45;  // 32 x 32 pairs, of which many are beyond the cutoff
 constexpr double kQuick = 0.52;        // times that cost, with quick Gaussians
-constexpr double kPerVertex = 0.26;    // to spread and to interpolate
-constexpr double kPerNode = 0.135;     // one tap for every cell of the surface's area
+constexpr double kPerVertex = 0.26;    // spreading and interpolating
+constexpr double kPerNode = 0.135;     // one tap, per cell of the surface's area
 constexpr std::size_t kSampledLeaves = 64;
 // Tables take 20 bytes a block.
 constexpr double kBlocksPerVertex = 8;
 
-constexpr double kLeastRoughness = 0.01;  // a plane: Δn is next to nothing
+constexpr double kLeastRoughness = 0.01;  // a plane: Δn is about 0
 
 constexpr double kEndless = 3e7;  // half a minute
 
-/// `radius_at(v)`: how far vertex v looks.
+/// `radius_at(v)`: radius of the sum at vertex v.
 template <class RadiusAt>
 double direct_cost(const SpatialTree& tree, RadiusAt radius_at) {
     const auto& leaves = tree.leaves();
@@ -61,10 +61,10 @@ GridResolution grid_resolution(double accuracy, double roughness) {
     // The largest error on the test meshes is 1.1e-3 cell^4.9 / turn down to 0.7 √h and falls more
     // slowly below; tests/core/reference_test.cpp holds it to the accuracy.
     resolution.cell = std::min(1.25, std::pow(accuracy * turn / 1.4e-3, 1 / 4.7));
-    // Beyond it lies less than a quarter of the accuracy of the second moment along an axis.
+    // The share of the second moment along an axis beyond it is a quarter of the accuracy.
     resolution.cutoff = 6.3 - 0.85 * std::log10(accuracy / 1e-3);
-    // The terms of Δn are turn² of the summed masses; those carry a rounding error of 3e-7. Where
-    // there is next to no turn, no more than the usual accuracy is to be had of it.
+    // The terms of Δn are turn² of the summed masses, which carry a rounding error of 3e-7. Where
+    // turn is about 0, no more than the default accuracy can be reached.
     resolution.is_exact = accuracy >= 1e-3 || accuracy * turn * turn >= 6e-7;
     return resolution;
 }

@@ -12,25 +12,25 @@ struct GridResolution {
 };
 
 /// The coarsest grid that gives Δn to a relative accuracy, 1e-6..0.1. `roughness`: RMS of √h|S|,
-/// the turn of the normals within a kernel: all but about this part of the terms of Δn cancel on a
-/// smooth surface.
+/// the turn of the normals within a kernel, about the part of the terms of Δn that does not cancel
+/// on a smooth surface.
 GridResolution grid_resolution(double accuracy, double roughness);
 
-/// Predicted time on one thread, in that of a thousand pairs in the direct sum, about a
+/// Predicted time on one thread. The unit is a thousand pairs in the direct sum, about a
 /// microsecond. Depends on the mesh and the kernel, not on a clock.
 struct SummationCosts {
     double direct = 0;
-    double grid = 0;  ///< infinite if kernels differ in size, or if it would
-    ///< need too much memory or be too inexact
+    /// Infinite if kernels differ in size, or if it would need too much memory or be inexact.
+    double grid = 0;
 };
 
-/// Of looking at all vertices within `radius` of each vertex.
+/// The cost of visiting all vertices within `radius` of each vertex.
 double pairs_cost(const SpatialTree& tree, double radius);
 
 /// @throws Error(TooCostly), whose sentence ends with the advice, if it would take minutes
 void refuse_endless_sum(double cost, const char* advice);
 
-/// The kernel's cutoff counts for the direct sum, the resolution for the grid.
+/// The direct sum depends on the kernel's cutoff, the grid on the resolution.
 SummationCosts summation_costs(const PreparedMesh& mesh, const SpatialTree& tree,
                                const GaussianKernel& kernel, const GridResolution& resolution);
 

@@ -11,8 +11,8 @@
 
 namespace laplacian_lines {
 
-/// For each element the first one that equals it. Those with one rare hash may equal nothing, not
-/// even themselves.
+/// For each element the first equal one. Elements with one rare hash may equal nothing, not even
+/// themselves.
 template <class HashOf, class Equal>
 std::vector<std::uint32_t> first_equals(std::size_t count, HashOf hash_of, Equal equal) {
     constexpr std::uint32_t kFree = 0xffffffffu;
@@ -41,7 +41,7 @@ std::vector<std::uint32_t> first_equals(std::size_t count, HashOf hash_of, Equal
     return first;
 }
 
-/// Of whole numbers, one after the other. Every bit of the result depends on all bits.
+/// A hash of successive integers. Every bit of the result depends on all bits.
 inline std::uint64_t mix_hash(std::uint64_t hash, std::uint64_t value) {
     std::uint64_t x = hash ^ value;
     x ^= x >> 31;

@@ -30,7 +30,7 @@ void advise_huge_pages(void* memory, std::size_t bytes) {
 }
 
 void clear_pages(void* memory, std::size_t bytes) {
-    constexpr std::size_t kMany = 4 * kHugePage;  // worth the while of several threads
+    constexpr std::size_t kMany = 4 * kHugePage;  // enough for several threads
     if (bytes < kMany) return;
     in_parallel(bytes / kHugePage + 1, [&](std::size_t i) {
         const std::size_t end = std::min(bytes, (i + 1) * kHugePage);

@@ -54,7 +54,7 @@ private:
     std::atomic<std::size_t> next_{0};
 };
 
-/// Takes blocks until none is left. `worker` is 0 in the calling thread, 1.. in those that join.
+/// Takes blocks until none is left. `worker`: 0 in the calling thread, 1.. in those that join.
 using SharedWork = std::function<void(unsigned worker, Blocks& blocks)>;
 
 void share_work(std::size_t blocks, unsigned workers, const SharedWork& work);
@@ -67,7 +67,7 @@ void share(std::size_t blocks, unsigned workers, Work work) {
     share_work(blocks, workers, std::ref(work));
 }
 
-/// Threads that pay for so many blocks, at least 1.
+/// Useful number of threads for so many blocks, at least 1.
 unsigned workers_for(std::size_t blocks);
 
 /// Runs body(i, scratch) for i in [0, count) as in_parallel() does, each thread with its own
@@ -83,8 +83,8 @@ void in_parallel(std::size_t count, Body body) {
 
 struct NoScratch {};
 
-/// As a step of a longer computation, `grain` at a time. Reports from the calling thread, and the
-/// end in any case: it may have had no part in the work.
+/// The same as a step of a longer computation, `grain` at a time. Reports progress from the calling
+/// thread, and the end in any case, since that thread may have had no part in the work.
 template <class Scratch, class Body>
 void parallel_for(std::size_t count, const StageProgress& stage, Body body,
                   std::size_t grain = 16) {
@@ -169,10 +169,10 @@ double sum_of(std::size_t count, ValueOf value_of) {
     return join_blocks(count, 0., sum, [](double a, double b) { return a + b; });
 }
 
-/// Cuts `whole` in two, these again and so on, a level in parallel, until all threads have a share
-/// or parts are `small`. cut(part) returns a pair of about equal sizes and writes only to what
-/// belongs to its part. The result is a heap: part i is cut into 2i + 1 and 2i + 2; the first size
-/// / 2 are cut. The number of threads decides on the number of levels only.
+/// Halves `whole` recursively, each level in parallel, until all threads have a share or parts are
+/// `small`. cut(part) returns a pair of about equal sizes and writes only to what belongs to its
+/// part. The result is a heap: the first size / 2 parts are cut, part i into 2i + 1 and 2i + 2. The
+/// number of threads only decides on the number of levels.
 template <class Part, class Cut>
 std::vector<Part> halve_in_parallel(const Part& whole, std::size_t small, Cut cut) {
     const auto threads = std::size_t(thread_limit());

@@ -2,12 +2,12 @@
 #pragma once
 
 /// Inner loops are compiled once for each instruction set, in a namespace SIMD_SET that is named
-/// after it, and all sets compute the same bits: the same operations in the same order, none
-/// contracts a·b + c, and no sum goes over lanes. CMakeLists.txt lists their files. Each has a
-/// table of its functions, which others call by fastest<Table>().
+/// after it. All sets compute the same bits: the same operations in the same order, a·b + c is
+/// never contracted, and no sum goes over lanes. CMakeLists.txt lists their files. Each has a table
+/// of its functions, which others call by fastest<Table>().
 ///
-/// Nothing inline of other headers may be used in there, or the linker could keep the copy that was
-/// compiled for a processor that is not there.
+/// They use no inline functions of other headers: the linker could keep the copy that was compiled
+/// for a better processor.
 namespace laplacian_lines {
 
 enum class InstructionSet { Baseline, Avx2, Avx512 };
@@ -20,7 +20,7 @@ InstructionSet instruction_set();
 /// called while anything is computed.
 bool use_instruction_set(InstructionSet set);
 
-/// Defined by the file of the functions, for each set.
+/// Defined for each set, in the file of the functions.
 template <class Table, InstructionSet set>
 const Table& functions_of();
 

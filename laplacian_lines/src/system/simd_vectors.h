@@ -20,15 +20,14 @@ constexpr unsigned kLanes = 8;
 constexpr unsigned kLanes = 4;
 #endif
 
-/// `count` rounded up to whole vectors: loops over so many places need no code for a rest, which
-/// would run more often than that for whole vectors, since clusters hold short lists.
+/// `count` rounded up to whole vectors: loops over so many elements need no code for a remainder,
+/// which would dominate, since clusters hold short lists.
 static inline std::size_t whole_vectors(std::size_t count) {
     return (count + kLanes - 1) & ~std::size_t(kLanes - 1);
 }
 
 // ---- whole vectors ----
-// Loops are written with these, since compilers vectorize the plain ones only if nothing in them is
-// in their way, and tell nobody.
+// Loops are written with these, since automatic vectorization fails silently.
 
 typedef float Floats __attribute__((vector_size(4 * kLanes)));
 typedef std::int32_t Ints __attribute__((vector_size(4 * kLanes)));  ///< masks: 0 or -1
@@ -127,13 +126,13 @@ static inline Vector shuffle(Vector a, Vector b, std::index_sequence<Lanes...>) 
     return __builtin_shuffle(a, b, Places{place(Lanes)...});
 #endif
 }
-/// Of each four places, A, B, C and D of eight: those of a, then those of b.
+/// In each group of four lanes, lanes A, B, C and D of eight: the group's lanes of a, then of b.
 template <int A, int B, int C, int D, class Vector>
 static inline Vector shuffle(Vector a, Vector b) {
     return shuffle<A, B, C, D>(a, b, std::make_index_sequence<sizeof a / sizeof a[0]>());
 }
 
-/// Four rows to columns, of each four places.
+/// Transposes four rows in each group of four lanes.
 template <class Vector>
 static inline void transpose(Vector rows[4]) {
     const Vector a = shuffle<0, 4, 1, 5>(rows[0], rows[1]);
@@ -146,7 +145,7 @@ static inline void transpose(Vector rows[4]) {
     rows[3] = shuffle<2, 3, 6, 7>(c, d);
 }
 
-/// A whole vector is kParts parts of four places.
+/// Groups of four lanes in a vector.
 constexpr unsigned kParts = kLanes / 4;
 static inline Floats join(const Float4 parts[kParts]) {
 #if defined(__AVX512F__)

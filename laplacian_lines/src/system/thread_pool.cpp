@@ -22,8 +22,8 @@ namespace laplacian_lines {
 namespace {
 
 constexpr int kLooksBeforeSleep = 2000;  // some microseconds, in which a short block ends
-constexpr unsigned kWakeAtOnce = 2;      // others are woken by those
-// wait(lock) is a function of libstdc++ that has changed, so that plugins would need a new one.
+constexpr unsigned kWakeAtOnce = 2;      // these wake the others
+// wait(lock) without a time would need a newer libstdc++ than MeshLab's.
 constexpr std::chrono::hours kLongest{24};
 
 /// A loop that threads share, in the memory of the one that runs it.
@@ -38,7 +38,7 @@ struct Loop {
     const unsigned most_helpers;
     // Below: under the pool's lock.
     unsigned helpers = 0;             // that have joined
-    std::atomic<unsigned> inside{0};  // of them, those that have not left
+    std::atomic<unsigned> inside{0};  // helpers that have not left
     std::exception_ptr failure;
     Loop* next = nullptr;  // that can be joined
 };
@@ -77,7 +77,7 @@ public:
     }
 
 private:
-    /// Without memory for another stack, the threads there are have to do.
+    /// Starts fewer if there is no memory for another stack.
     void start_threads(unsigned count) {
         try {
             while (threads_.size() < count && !ending_)

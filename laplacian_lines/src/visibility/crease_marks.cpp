@@ -8,10 +8,10 @@ namespace laplacian_lines {
 
 using Eigen::Vector3d;
 
-// How many vertices of other surfaces may lie where an edge ends.
+// Vertices of other surfaces that may lie at the end of an edge.
 constexpr std::size_t kAside = 4;
 
-/// Of the vertices that edges have.
+/// The places of all vertices of edges.
 const VertexPlaces& CreaseMarker::places() const {
     return *places_.get([&] {
         std::vector<bool> are_used(mesh_.positions.size());
@@ -23,7 +23,7 @@ const VertexPlaces& CreaseMarker::places() const {
     });
 }
 
-/// Other vertices may lie on the way.
+/// The edges may end at vertices in between.
 void CreaseMarker::find_along(const Vector3d& begin, const Vector3d& end,
                               std::vector<std::uint32_t>& edges) const {
     const double reach = 2 * mesh_.line_precision + mesh_.precision, length = (end - begin).norm();

@@ -22,8 +22,8 @@ class CreaseMarker {
 public:
     explicit CreaseMarker(const SightMesh& mesh) : mesh_(mesh) {}
 
-    /// The edges between successive points of the creases among the lines; others are left out. The
-    /// last result is kept: views of one mesh have the same creases.
+    /// Marks the edges between successive points of the creases among the lines. Caches the last
+    /// result, since views of one mesh have the same creases.
     std::shared_ptr<const CreaseMarks> mark(const std::vector<LineSet>& lines) const;
 
 private:

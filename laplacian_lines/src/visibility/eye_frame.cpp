@@ -27,7 +27,7 @@ EyeFrame::EyeFrame(const SightMesh& mesh, const View& view, bool looks_away)
     : has_perspective_(view.w != 0) {
     const Vector3d eye = view.eye - view.w * mesh.centre;  // local, but for a scale
     eye_ = turned(has_perspective_ ? Vector3d(eye / (view.w * mesh.size)) : eye.stableNormalized());
-    // an eye at the very middle looks anywhere
+    // an eye at the centre has an arbitrary direction
     back_ = eye_.norm() > 0 ? Vector3d(eye_.stableNormalized()) : Vector3d(Vector3d::UnitZ());
     if (looks_away) back_ = -back_;
     right_ = back_.unitOrthogonal();

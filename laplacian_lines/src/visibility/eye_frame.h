@@ -9,14 +9,13 @@
 
 namespace laplacian_lines {
 
-/// How a view looks at a mesh, in local coordinates: the axes of the picture, x right, y up, and
-/// the eye of a perspective view. Ties, such as faces seen edge-on, cannot occur: all is decided
-/// from an eye turned around the object by 3e-5 rad about an arbitrary axis (H. Edelsbrunner, E.
-/// Mücke, "Simulation of Simplicity", 1990, by one fixed step). What is drawn keeps its place in
-/// space.
+/// The camera of a view in local coordinates: the axes of the picture, x right, y up, and the eye
+/// of a perspective view. The eye is turned around the object by 3e-5 rad about an arbitrary axis,
+/// so that degenerate cases, such as faces seen edge-on, cannot occur (H. Edelsbrunner, E. Mücke,
+/// "Simulation of Simplicity", 1990, by one fixed step). Lines keep their places in space.
 class EyeFrame {
 public:
-    /// A perspective eye looks towards the middle of the mesh, or away from it.
+    /// A perspective eye looks towards the centre of the mesh, or away from it.
     EyeFrame(const SightMesh& mesh, const View& view, bool looks_away = false);
 
     /// Rad.
@@ -28,11 +27,11 @@ public:
     Eigen::Vector3d towards_eye(const Eigen::Vector3d& local) const {
         return has_perspective_ ? Eigen::Vector3d((eye_ - local).stableNormalized()) : back_;
     }
-    /// Along the axis of a perspective eye, local.
+    /// Distance along the axis of a perspective eye, local.
     double depth(const Eigen::Vector3d& local) const { return back_.dot(eye_ - local); }
 
-    /// In the picture, z growing towards the eye. z = 1 / depth turns perspective into parallel
-    /// views; planes and straight lines stay so.
+    /// Projects to the picture, z growing towards the eye. In perspective z = 1 / depth, so that
+    /// planes and straight lines stay so and the projection along z is parallel.
     Eigen::Vector3d place(const Eigen::Vector3d& local) const;
 
 private:
@@ -40,13 +39,13 @@ private:
     bool has_perspective_;
 };
 
-/// Least distance before a perspective eye that is shown, local.
+/// Depth of the near plane of a perspective eye, local.
 constexpr double kLeastDepth = 1e-5;
 
 /// Whether all of a mesh is before the eye.
 bool is_before_eye(const SightMesh& mesh, const EyeFrame& frame);
 
-/// Cut off at kLeastDepth; local.
+/// Clipped at kLeastDepth; local.
 TriangleMesh part_before_eye(const SightMesh& mesh, const EyeFrame& frame);
 
 }  // namespace laplacian_lines

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kShortestGap = 0.001, kShortestPart = 0.003;  // in D of the line's own surface
 
-/// Of the surface that a line is on, local: lengths of lines are in D.
+/// Diagonal of the surface that a line is on, local.
 double own_diagonal(const SightSegments& all, const SightSegments::Line& of) {
     double sum = 0;
     for (std::uint32_t i = 1; i < of.line->count; ++i)
@@ -21,8 +21,8 @@ double length_of(const SightSegments& all, const SightPiece& piece) {
            (all.position(segment.points[1]) - all.position(segment.points[0])).norm();
 }
 
-/// Turns runs of hidden or seen pieces between others that are shorter than `shortest`, local.
-/// Pieces are successive ones of a line.
+/// Makes runs of hidden pieces of a line that are shorter than `shortest`, local, visible, or the
+/// other way round.
 void turn_short_runs(const SightSegments& all, bool hidden, double shortest, SightPiece* pieces,
                      std::size_t count) {
     const bool is_closed = pieces[0].nodes[0] == pieces[count - 1].nodes[1];

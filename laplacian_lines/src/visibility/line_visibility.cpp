@@ -21,7 +21,7 @@ namespace {
 
 // In D: meshes with longer mean edges have many coarse triangles, unless they are rough.
 constexpr double kLargestSmoothMeanEdge = 0.025;
-// Of the smoothing of normals, in its deviations: it takes contours as far as so much longer edges.
+// Smoothing of normals moves contours as far as edges of this length, in standard deviations.
 constexpr double kEdgeOfSigma = 1.25;
 
 /// A. van Oosterom, J. Strackee, "The Solid Angle of a Plane Triangle", 1983. Positive from behind.
@@ -42,7 +42,7 @@ double winding_number(const PreparedMesh& mesh, const Eigen::Vector3d& point) {
     return sum / (4 * std::acos(-1.0));
 }
 
-/// For an eye with the whole mesh before it.
+/// For an eye with the whole mesh in front of it.
 std::vector<SightLine> look_at(const SightMesh& mesh, const CreaseMarker& creases,
                                const EyeFrame& frame, const std::vector<LineSet>& lines,
                                const SightOptions& options, const StageProgress& stage) {
@@ -58,7 +58,7 @@ std::vector<SightLine> look_at(const SightMesh& mesh, const CreaseMarker& crease
     return trace_lines(segments, pieces, options);
 }
 
-/// For an eye within the mesh: of the part before it.
+/// For an eye within the mesh: clips the mesh to the part in front of it.
 void look_through(const SightMesh& mesh, const EyeFrame& frame, const std::vector<LineSet>& lines,
                   const SightOptions& options, const StageProgress& stage,
                   std::vector<SightLine>& seen) {
@@ -127,14 +127,14 @@ LineSet extract_on_surface(const LineExtractor& extractor, const View& view, con
                            ExtractionScratch& scratch) {
     LineStyle unsmoothed = style;
     unsmoothed.line_smoothing = 0;
-    unsmoothed.contour_clearance = 0;  // their contours are not those that are drawn
+    unsmoothed.contour_clearance = 0;  // LineVisibility draws other contours
     LineSet all, result;
     extractor.extract(view, unsmoothed, scratch, all);
     result.origin = all.origin;
     for (const Polyline& line : all.lines)
         if (!is_edge_kind(line.kind)) append_whole(all, line, result);
     if (!style.shows[LineKind::Crease]) return result;
-    unsmoothed.shows = {};  // without contours, which would take creases on the horizon away
+    unsmoothed.shows = {};  // with contours, creases on the horizon would be missing
     unsmoothed.shows[LineKind::Crease] = true;
     extractor.extract(view, unsmoothed, scratch, all);
     for (const Polyline& line : all.lines)

@@ -70,8 +70,8 @@ Backing Picture::look(const Vector3d& point, const SightMesh::Side* own, std::si
         return place != own + own_count && place->triangle == triangle;
     };
     Backing result;
-    // From the nearest surface behind the point, as far as it is known, to the eye: where faces are
-    // seen along their planes, thousands of triangles are behind it.
+    // From the nearest known surface behind the point to the eye. Where faces are seen edge-on,
+    // thousands of triangles are farther behind.
     const auto column = [&] {
         return box_outside<3>({Vector3d(at.x(), at.y(), behind(at.z(), result.gap)),
                                Vector3d(at.x(), at.y(), kInfinity)});

@@ -12,7 +12,7 @@
 
 namespace laplacian_lines {
 
-/// A box of places in the picture by floats, rounded outwards.
+/// A box of points in the picture, rounded outwards to floats.
 template <int Dim>
 Eigen::AlignedBox<float, Dim> box_outside(const Eigen::AlignedBox<double, Dim>& box) {
     const auto wider = [](const Eigen::Matrix<double, Dim, 1>& corner, float sign) {
@@ -22,17 +22,17 @@ Eigen::AlignedBox<float, Dim> box_outside(const Eigen::AlignedBox<double, Dim>& 
     return {wider(box.min(), -1), wider(box.max(), 1)};
 }
 
-/// What is before and behind a point.
+/// What a ray from the eye through a point meets before and behind it.
 struct Backing {
     bool is_hidden = false;
     /// From a point that is seen to the next surface behind it, local; infinite if there is none.
     double gap = std::numeric_limits<double>::infinity();
 };
 
-/// A surface in the picture of one view. Thread-safe.
+/// A surface projected to the picture of a view. Thread-safe.
 class Picture {
 public:
-    /// The mesh outlives this and is before a perspective eye.
+    /// The mesh outlives this and is in front of a perspective eye.
     Picture(const SightMesh& mesh, const EyeFrame& frame, const StageProgress& stage);
 
     const SightMesh& mesh() const { return mesh_; }
@@ -48,28 +48,29 @@ public:
     /// All triangles of the edge are on one side of it.
     bool is_fold(std::uint32_t edge) const;
 
-    /// 1 left of the line from a to b or on it, −1 right of it; the opposite from b to a.
+    /// Orientation of c to the line from a to b: 1 left of it or on it, −1 right of it. Exchanging
+    /// a and b changes the sign.
     static int turn(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
-    /// By how much z grows from there over a small local `distance` towards the eye.
+    /// The change of z from there over a small local `distance` towards the eye.
     double rise_of(double distance, double z) const {
         return frame_.has_perspective() ? distance * z * z : distance;
     }
 
-    /// z at a local distance behind a place, or less.
+    /// A lower bound of z at a local distance behind a point.
     double behind(double z, double distance) const {
         return frame_.has_perspective() ? z / (1 + distance * z) : z - distance;
     }
 
-    /// The share in space of a share of the line between two places of the picture.
+    /// Converts a share of the line between two points of the picture to the share in space.
     double share_in_space(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double t) const {
         return frame_.has_perspective() ? t * to.z() / ((1 - t) * from.z() + t * to.z()) : t;
     }
 
-    /// By a ray through a local point of the surface, which is part of the triangles `own`, in
-    /// order; it ignores these. Points up to `precision`, local, from a triangle's plane are on it.
-    /// `hider`: a triangle that is tried first, then the one that hides the point, if any does; the
-    /// same mostly hides what is beside it.
+    /// Casts a ray through a local point of the surface, ignoring the triangles `own` (ascending)
+    /// that contain it. Points up to `precision`, local, from a triangle's plane are on it.
+    /// `hider`: in, a triangle to test first; out, the one that hides the point, if any.
+    /// Neighbouring points mostly have the same.
     Backing look(const Eigen::Vector3d& point, const SightMesh::Side* own, std::size_t own_count,
                  double precision, std::uint32_t& hider) const;
 

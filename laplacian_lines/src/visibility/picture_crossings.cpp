@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector3d;
 using Box = Eigen::AlignedBox2f;
 
-constexpr double kRounding = 4;  // precisions: what a line may seem to be before its own surface
+constexpr double kRounding = 4;  // precisions by which a line may seem in front of its own surface
 
 double height_over(const Vector3d& a, const Vector3d& b, const Vector3d& p) {
     return std::abs((b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x()));
@@ -55,7 +55,7 @@ private:
         return box_outside<2>({a.cwiseMin(b), a.cwiseMax(b)});
     }
 
-    /// With dividing ones, once a pair.
+    /// Crossings with dividing segments, each pair once.
     void find_from(std::uint32_t i, std::vector<PictureCrossing>& found) const {
         const bool divides = all_.segments[i].divides;
         std::vector<std::uint32_t> others;
@@ -78,7 +78,7 @@ private:
             all_.picture.rise_of(std::max(kRounding * all_.picture.mesh().line_precision,
                                           reach_of(all_.picture.mesh(), s)),
                                  std::max(a.z(), b.z()));
-        // With surface on both sides of each, sight changes only where they meet in space.
+        // With surface on both sides of each, visibility changes only where they meet in space.
         const bool must_meet = !describe(s.kind).is_outline && !describe(d.kind).is_outline;
         if (must_meet && (std::min(a.z(), b.z()) > std::max(c.z(), e.z()) + room ||
                           std::min(c.z(), e.z()) > std::max(a.z(), b.z()) + room))
@@ -94,7 +94,7 @@ private:
     }
 
     const SightSegments& all_;
-    BoxTree<2> tree_;  // of those that divide
+    BoxTree<2> tree_;  // of dividing segments
 };
 
 }  // namespace

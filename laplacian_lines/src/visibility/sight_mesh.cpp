@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// How the edges of a surface are found, see find_edges():
+//  1. Merge equal vertices, unfold needles, drop triangles without height and duplicates.
+//  2. Merge border vertices within the precision of each other.
+//  3. Find where triangles intersect (cuts) or touch (vertices on edges).
+//  4. Merge ends of cuts with the vertices that they coincide with; find vertices on cuts.
+//  5. Divide sides of triangles and cuts at the vertices on them, and group them by edge.
 #include "visibility/sight_mesh.h"
 
 #include <Eigen/Geometry>
@@ -76,7 +82,7 @@ void drop_triangles(SightMesh& mesh) {
     keep_triangles(mesh, [&](std::uint32_t t) { return first[t] == t; });
 }
 
-/// Merges pairs of vertices, with the smallest of their numbers.
+/// Merges pairs of vertices, keeping the smallest number. Returns whether there were any.
 bool weld(const std::vector<std::array<std::uint32_t, 2>>& pairs, SightMesh& mesh) {
     if (pairs.empty()) return false;
     DisjointSets sets(mesh.positions.size());
@@ -87,7 +93,7 @@ bool weld(const std::vector<std::array<std::uint32_t, 2>>& pairs, SightMesh& mes
     return true;
 }
 
-/// Merges vertices at one place.
+/// Merges border vertices within the precision of each other.
 bool weld_borders(const std::vector<bool>& on_border, SightMesh& mesh) {
     const VertexPlaces places(mesh, [&](std::uint32_t v) { return on_border[v]; });
     using Pair = std::array<std::uint32_t, 2>;
@@ -112,7 +118,8 @@ void visit_triangles(const SightMesh& mesh, const SurfaceContacts& contacts, con
         });
 }
 
-/// For each end of cuts, from `first_end` on, the first vertex at its place.
+/// For each end of a cut, which are the vertices from `first_end` on, the first vertex within the
+/// precision.
 std::vector<std::uint32_t> first_at_ends(const SightMesh& mesh, std::uint32_t first_end,
                                          const SurfaceContacts& contacts) {
     const VertexPlaces ends(mesh, [&](std::uint32_t v) { return v >= first_end; });
@@ -130,7 +137,7 @@ std::vector<std::uint32_t> first_at_ends(const SightMesh& mesh, std::uint32_t fi
                 consider(v);
         });
     });
-    for (std::uint32_t& nearest : first)  // what stands for an end before it
+    for (std::uint32_t& nearest : first)  // follow ends that are merged themselves
         if (nearest >= first_end) nearest = first[nearest - first_end];
     return first;
 }
@@ -140,8 +147,8 @@ void drop(std::vector<T>& elements, Is is_dropped) {
     elements.erase(std::remove_if(elements.begin(), elements.end(), is_dropped), elements.end());
 }
 
-/// Merges ends of cuts with vertices at their places, so that no edge is shorter than the
-/// precision.
+/// Merges ends of cuts with the vertices that they coincide with, so that no edge is shorter than
+/// the precision.
 void weld_ends(std::uint32_t first_end, const SightMesh& mesh, SurfaceContacts& contacts) {
     const std::vector<std::uint32_t> first = first_at_ends(mesh, first_end, contacts);
     const auto welded = [&](std::uint32_t v) { return v < first_end ? v : first[v - first_end]; };
@@ -187,8 +194,8 @@ void find_on_cuts(const SightMesh& mesh, SurfaceContacts& contacts) {
         contacts.on_edges.insert(contacts.on_edges.end(), found.begin(), found.end());
 }
 
-/// Moves vertices onto the edges that they lie on: within the precision, but an edge that bends
-/// there would leave its triangles, and faces seen along their planes would be beside it.
+/// Moves vertices within the precision of an edge onto it: an edge that bends there would leave its
+/// triangles' planes, which matters for faces seen edge-on.
 void straighten(const std::vector<Contact>& on_edges, SightMesh& mesh) {
     constexpr int kRounds = 3;  // for vertices on several edges
     for (int round = 0; round < kRounds; ++round)
@@ -228,7 +235,7 @@ void divide_side(const SightMesh& mesh, const std::vector<Contact>& on_edges, st
     add(last, edge[1]);
 }
 
-/// Groups sides by edges, those of one in the order of the triangles.
+/// Groups sides by edge; those of an edge are in the order of the triangles.
 void set_edges(const std::vector<LooseSide>& loose, SightMesh& mesh) {
     struct Part {
         std::vector<SightMesh::Edge> edges;
@@ -264,7 +271,8 @@ void set_edges(const std::vector<LooseSide>& loose, SightMesh& mesh) {
     mesh.edges.push_back({{0, 0}, std::uint32_t(mesh.sides.size())});
 }
 
-/// Both triangles of a cut lie on both sides of it.
+/// Builds edges from the sides of triangles and from cuts, both of whose triangles lie on both
+/// sides.
 void build_edges(const SurfaceContacts& contacts, SightMesh& mesh) {
     const auto divide = [&](std::uint32_t side, std::vector<LooseSide>& parts) {
         divide_side(mesh, contacts.on_edges, begin_of(mesh.triangles, side),
@@ -346,7 +354,7 @@ SightMesh build_sight_mesh(const TriangleMesh& mesh, const StageProgress& stage)
     result.line_precision = precision.of_floats / result.size;
     result.positions.resize(mesh.positions.size());
     for_each_element(mesh.positions.size(), [&](std::size_t v) {
-        const Vector3d& p = mesh.positions[v];  // those that nobody uses may be anything
+        const Vector3d& p = mesh.positions[v];  // unused ones may be anything
         result.positions[v] = box.contains(p) ? result.local(p) : Vector3d::Zero();
     });
     find_edges(result, stage.part(0.1, 1));

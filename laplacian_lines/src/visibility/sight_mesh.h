@@ -10,14 +10,14 @@
 
 namespace laplacian_lines {
 
-/// How far from the middle of its box a mesh reaches at most, local.
+/// Largest distance of a vertex from the centre of the bounding box, local.
 constexpr double kMeshReach = 0.5;
 
-/// A surface with all its edges, of any topology and winding: vertices at one place are one,
-/// triangles without height are gone, and edges are cut at vertices that lie on them, so that
-/// surfaces which touch share edges. Triangles that run through each other share an edge, too,
-/// which has both on both sides. In local coordinates x' = (x − centre) / size.
-/// A corner table cannot hold that: edges have any number of triangles, and these parts of sides.
+/// A surface with all its edges, of any topology and winding: equal vertices are merged, triangles
+/// without height dropped, and edges split at vertices that lie on them, so that surfaces which
+/// touch share edges. Intersecting triangles share an edge, too, with both triangles on both sides.
+/// In local coordinates x' = (x − centre) / size. Unlike a corner table, edges have any number of
+/// triangles, and may be parts of their sides.
 struct SightMesh {
     /// A side of a triangle, or a part of one between vertices on it. A triangle on both sides of
     /// an edge has two, of both directions.
@@ -33,13 +33,13 @@ struct SightMesh {
 
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     double size = 1;            ///< D, mesh units
-    double precision = 0;       ///< local: what is as near as that is at one place
-    double line_precision = 0;  ///< the same of points of lines, which are floats
+    double precision = 0;       ///< local: distance up to which points count as equal
+    double line_precision = 0;  ///< the same for points of lines, which are floats
     std::vector<Eigen::Vector3d> positions;
     std::vector<Triangle> triangles;
-    std::vector<Edge> edges;  ///< in the order of their vertices, and one more, behind the last
+    std::vector<Edge> edges;  ///< in the order of their vertices; one more follows the last
     std::vector<Side> sides;  ///< once each
-    /// By triangle, if an edge has more than two: what is connected by edges of two.
+    /// The body of each triangle, connected by edges of two; empty if all edges have at most two.
     std::vector<std::uint32_t> bodies;
     std::vector<std::uint32_t> along_curve;  ///< numbers of triangles: see order_along_curve()
 
@@ -57,9 +57,9 @@ struct SightMesh {
     Eigen::Vector3d normal(std::uint32_t triangle) const;
 };
 
-/// Leaves out triangles whose corners are not finite. @throws Error: InvalidMesh, Cancelled.
+/// Drops triangles whose corners are not finite. @throws Error: InvalidMesh, Cancelled.
 SightMesh build_sight_mesh(const TriangleMesh& mesh, const StageProgress& stage);
-/// For a part of another mesh, which keeps the local coordinates of that.
+/// For a part of another mesh, whose local coordinates it keeps.
 SightMesh build_sight_mesh(TriangleMesh part, const SightMesh& whole, const StageProgress& stage);
 
 }  // namespace laplacian_lines

@@ -38,7 +38,7 @@ Eigen::Vector2f middle_of(const SightSegments& all, const SightPiece& piece) {
     return (a + t * (b - a)).head<2>().cast<float>();
 }
 
-/// Looks at the middle of a piece; `hider` as Picture::look() has it.
+/// Decides about a piece by a ray through its middle; `hider`: see Picture::look().
 void decide(const SightSegments& all, SightPiece& piece, std::uint32_t& hider) {
     const SightSegment& segment = all.segments[piece.segment];
     const SightMesh& mesh = all.picture.mesh();
@@ -56,11 +56,11 @@ void decide(const SightSegments& all, SightPiece& piece, std::uint32_t& hider) {
                        describe(segment.kind).is_outline;
 }
 
-// Local: points that lie on the surface as well as that are seen as it is there.
+// Local: points this near to the surface are as visible as it is there.
 constexpr double kOnSurface = 1e-5;
 
-/// Whether a piece continues the one before as an uncrossed line on the surface. Not crest lines
-/// and those of coarse coordinates: these are beside the surface, which can hide them for a while.
+/// Whether a piece continues the one before as an uncrossed line on the surface. Not of ridges and
+/// valleys or with coarse coordinates: parts of these may be behind the surface.
 bool goes_on(const SightSegments& all, std::uint32_t first_crossing, const SightPiece& before,
              const SightPiece& piece) {
     const SightSegment &from = all.segments[before.segment], &to = all.segments[piece.segment];
@@ -69,7 +69,7 @@ bool goes_on(const SightSegments& all, std::uint32_t first_crossing, const Sight
            piece.nodes[0] < first_crossing;
 }
 
-/// Where runs of pieces begin that are seen or hidden as a whole, and the end of the last.
+/// The first pieces of runs that are visible or hidden as a whole, and the end of the last.
 std::vector<std::size_t> runs_of(const SightSegments& all, std::uint32_t first_crossing,
                                  const std::vector<SightPiece>& pieces) {
     std::vector<std::size_t> begins;
@@ -79,7 +79,7 @@ std::vector<std::size_t> runs_of(const SightSegments& all, std::uint32_t first_c
     return begins;
 }
 
-/// Looks at one piece of each run.
+/// Decides about each run by one piece of it.
 void decide_runs(const SightSegments& all, const std::vector<std::size_t>& runs,
                  const StageProgress& stage, std::vector<SightPiece>& pieces) {
     const auto chosen = [&](std::size_t run) -> SightPiece& {

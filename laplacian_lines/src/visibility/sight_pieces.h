@@ -15,24 +15,25 @@ struct PictureCrossing {
     double shares[2];  ///< of the length of each, in the picture
 };
 
-/// All crossings of segments of which one divides. Lines on the surface are crossed only by what is
-/// before them, segments with surface on both sides only in space by each other. The turns of the
-/// four ends decide, found alike wherever they are asked for: a chain that passes over another
-/// crosses it once, also at a vertex. The order does not depend on the number of threads.
+/// All crossings of segments of which one divides. Lines on the surface are crossed only by
+/// segments in front of them; two segments with surface on both sides cross only where they meet in
+/// space. The orientations of the four ends decide, and are computed in one way everywhere: a chain
+/// that passes over another crosses it once, also at a vertex. The order does not depend on
+/// threads.
 std::vector<PictureCrossing> find_crossings(const SightSegments& all);
 
-/// Between neighbouring crossings or ends: nothing changes along it.
+/// A part of a segment between neighbouring crossings or ends: visibility is constant along it.
 struct SightPiece {
     std::uint32_t segment;
-    /// In the picture: points of the segments, then crossings.
+    /// Numbers of points of the segments, then of crossings.
     std::uint32_t nodes[2];
     double shares[2];  ///< of the length of the segment, in the picture
     bool is_hidden;
-    bool is_outline;  ///< seen, and on one side of it is nothing
-    float gap;        ///< to what is behind it, local; infinite if there is nothing
+    bool is_outline;  ///< visible, with nothing on one side
+    float gap;        ///< to the surface behind it, local; infinite if there is none
 };
 
-/// Of all segments that are drawn, in order, each decided by one ray through its middle.
+/// The pieces of all segments that are drawn, in order, each decided by one ray through its middle.
 /// @throws Error(Cancelled)
 std::vector<SightPiece> find_sight_pieces(const SightSegments& all,
                                           const std::vector<PictureCrossing>& crossings,
@@ -41,15 +42,15 @@ std::vector<SightPiece> find_sight_pieces(const SightSegments& all,
 /// The number of the first node that is a crossing.
 std::uint32_t first_crossing_node(const SightSegments& all);
 
-/// Of lines on the surface, gaps below .1 % of D are seen and parts below .3 % are not.
+/// Closes hidden gaps below .1 % of D in lines on the surface and hides visible parts below .3 %.
 void mend_lines(const SightSegments& all, std::vector<SightPiece>& pieces);
 
-/// Joins pieces to lines where they meet in the same nodes: those of edges, outlines first, so that
-/// they close, then the seen ones of lines on the surface.
+/// Joins pieces to lines at common nodes: mesh edges, outlines first, so that they close; then the
+/// visible parts of lines on the surface.
 std::vector<SightLine> trace_lines(const SightSegments& all, const std::vector<SightPiece>& pieces,
                                    const SightOptions& options);
 
-/// The share in space at the begin (0) or end (1) of a piece of its segment.
+/// The share of its segment, in space, at the start (0) or end (1) of a piece.
 double share_at(const SightSegments& all, const SightPiece& piece, int end);
 
 }  // namespace laplacian_lines

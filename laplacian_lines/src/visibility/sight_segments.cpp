@@ -15,13 +15,13 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kCutOff = 1.001 * kLeastDepth;  // edges before it end what is before the eye
+constexpr double kCutOff = 1.001 * kLeastDepth;  // nearer edges are those of clipping
 constexpr double kCrestReach = 1e-3;
-constexpr double kFlatCosine = 0.9986;  // of 3 degrees: sheets that go on into each other
+constexpr double kFlatCosine = 0.9986;  // of 3 degrees: surfaces that continue each other
 
-/// Faces seen edge-on, within the eye's turn: whether one faces the eye is chance. One that faces
-/// away has a contour before it. One that faces the eye and is tangent to its neighbours has none,
-/// yet the surface drops there: its near edge is a contour as well.
+/// Faces seen edge-on, within the angle by which the eye is turned: whether one faces the eye is
+/// chance. If it faces away, it has a contour in front. If it faces the eye and is tangent to its
+/// neighbours, it has none; its near edge is then made a contour, for the depth jumps there.
 class EdgeOnWalls {
 public:
     explicit EdgeOnWalls(const Picture& picture) : picture_(picture), mesh_(picture.mesh()) {
@@ -35,8 +35,8 @@ public:
         note_folds(edges);
     }
 
-    /// Whether an edge of two triangles that is not a fold is the near edge of such a face, without
-    /// folds of the face beside it all along.
+    /// Whether an edge of two triangles that is no contour is the near edge of such a face, and is
+    /// not covered by contours of the face.
     bool drop_at(std::uint32_t edge) const {
         const SightMesh::Side* sides = mesh_.sides_of(edge);
         if (mesh_.side_count(edge) != 2 || is_wall(sides[0].triangle) == is_wall(sides[1].triangle))
@@ -56,7 +56,7 @@ private:
     std::uint32_t face_of(std::uint32_t wall) const { return face_of_[number_of(wall)]; }
 
     void find_walls() {
-        // The eye that was asked for is within one turn, that turned the other way within two.
+        // The given eye is within one turn, one turned in the opposite direction within two.
         const double least = 2 * EyeFrame::turn();
         is_wall_.resize(mesh_.triangles.size());
         for_each_element(is_wall_.size(), [&](std::size_t t) {
@@ -110,8 +110,8 @@ private:
         });
     }
 
-    /// Whether edges of one face, which is a line in the picture, lie beside another of its edges
-    /// all along.
+    /// Whether edges of a face, which is a line in the picture, together cover another of its
+    /// edges.
     bool cover(const std::vector<std::uint32_t>& edges, std::uint32_t other) const {
         const auto at = [&](std::uint32_t e, int end) -> Vector2d {
             return picture_.vertex(mesh_.edges[e].vertices[end]).head<2>();
@@ -121,7 +121,7 @@ private:
         for (const std::uint32_t edge : edges)
             parts.push_back(std::minmax({span.dot(at(edge, 0) - a), span.dot(at(edge, 1) - a)}));
         std::sort(parts.begin(), parts.end());
-        const double touch = EyeFrame::turn() * span.norm();  // what is so short may be seen end-on
+        const double touch = EyeFrame::turn() * span.norm();  // of edges seen end-on
         double covered = 0;
         for (const auto& [low, high] : parts)
             if (low <= covered + touch) covered = std::max(covered, high);
@@ -132,17 +132,17 @@ private:
     const SightMesh& mesh_;
     std::vector<std::uint8_t> is_wall_;   // by triangle; empty: none is
     std::vector<std::uint32_t> walls_;    // triangles, ascending
-    std::vector<std::uint32_t> face_of_;  // by number of the wall
+    std::vector<std::uint32_t> face_of_;  // by index in walls_
     std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> folds_;  // edges, by face
 };
 
-/// What a mesh edge is in a picture.
+/// Decides what a mesh edge is in a picture.
 class EdgeJudge {
 public:
     EdgeJudge(const Picture& picture, const CreaseMarks& creases)
         : picture_(picture), mesh_(picture.mesh()), creases_(creases), walls_(picture) {}
 
-    /// Whether the edge can be drawn or hide anything.
+    /// Fills in the segment. Returns whether the edge can be drawn or hide anything.
     bool judge(std::uint32_t edge, SightSegment& segment) const {
         const std::size_t count = mesh_.side_count(edge);
         const bool is_crease = !creases_.empty() && creases_[edge];
@@ -165,7 +165,7 @@ public:
     }
 
 private:
-    /// How much nearer to the eye a triangle gets across an edge.
+    /// Slope of a triangle towards the eye, across an edge and away from it.
     double rise(std::uint32_t edge, const SightMesh::Side& side) const {
         const Triangle& t = mesh_.triangles[side.triangle];
         const Vector3d &a = picture_.vertex(t[0]), &b = picture_.vertex(t[1]),
@@ -177,7 +177,7 @@ private:
         return -sign * (normal.x() * -span.y() + normal.y() * span.x()) / normal.z();
     }
 
-    /// The triangle that is seen first on a side of an edge.
+    /// The triangle nearest to the eye on a side of an edge.
     std::uint32_t first_at(std::uint32_t edge, int side) const {
         const SightMesh::Side* const sides = mesh_.sides_of(edge);
         const auto comes_before = [&](const SightMesh::Side& a, const SightMesh::Side& b) {
@@ -191,8 +191,8 @@ private:
         return std::abs(mesh_.normal(a).dot(mesh_.normal(b))) > kFlatCosine;
     }
 
-    /// Of an edge of several triangles. Where what is seen first on both sides is one plane, one
-    /// body goes on, or two touch, flush.
+    /// For edges of more than two triangles. If the nearest ones on both sides are coplanar, they
+    /// belong to one body, and nothing is drawn, or to two that touch.
     void judge_contact(std::uint32_t edge, SightSegment& segment) const {
         const bool is_flat = are_flat(first_at(edge, 1), first_at(edge, -1));
         const bool is_one_body = is_flat && is_within_body(edge);
@@ -200,7 +200,7 @@ private:
         segment.is_drawn = !is_one_body;
     }
 
-    /// Whether one body is on both sides of it, in the plane that is seen first.
+    /// Whether one body has triangles on both sides of an edge in the plane of the nearest one.
     bool is_within_body(std::uint32_t edge) const {
         const std::uint32_t left = first_at(edge, 1);
         const SightMesh::Side* const sides = mesh_.sides_of(edge);

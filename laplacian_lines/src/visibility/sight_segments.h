@@ -10,8 +10,8 @@
 
 namespace laplacian_lines {
 
-/// A straight piece that may be drawn, or hide others: a mesh edge that is a contour, border,
-/// crease or cut, or a segment of a line on the surface.
+/// A segment that may be drawn, or hide others: a mesh edge that is a contour, border, crease or
+/// intersection, or a segment of a line on the surface.
 struct SightSegment {
     static constexpr std::uint32_t kNone = 0xffffffffu;
 
@@ -20,8 +20,8 @@ struct SightSegment {
     std::uint32_t line = kNone;        ///< of SightSegments::lines
     LineKind kind = LineKind::Contour;
     bool is_drawn = true;
-    bool is_exact = true;  ///< an edge of the form, or its end; others only stand for a smooth line
-    bool divides = false;  ///< sight may change where something crosses it in the picture
+    bool is_exact = true;  ///< an edge of the form; others approximate a smooth line
+    bool divides = false;  ///< visibility of segments may change where they cross it in the picture
 };
 
 /// Points are the mesh's vertices, then those of lines.
@@ -47,13 +47,13 @@ struct SightSegments {
     }
 };
 
-/// The mesh's edges, then segments of the lines on the surface, in order, but not of contours,
-/// borders and creases, which are edges.
+/// The mesh's edges, then segments of the lines on the surface, in order; contours, borders and
+/// creases are edges.
 SightSegments find_sight_segments(const Picture& picture, const CreaseMarks& creases,
                                   const std::vector<LineSet>& lines);
 
-/// How far from its triangle's plane a point of a segment may be, local: crest lines pass mesh
-/// edges up to .06 % of D beside them.
+/// How far from its triangle's plane a point of a segment may be, local: ridges and valleys are up
+/// to .06 % of D from the surface.
 double reach_of(const SightMesh& mesh, const SightSegment& segment);
 
 bool is_edge_kind(LineKind kind);

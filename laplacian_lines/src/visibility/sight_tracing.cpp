@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr std::size_t kMostAtNode = 64;  // of more, nobody sees which go on into each other
+constexpr std::size_t kMostAtNode = 64;  // pieces; of more only outlines are joined
 constexpr double kStraight = 0.5;  // least cosine of the turn at which a line passes a junction
 
 class SightTracer {
@@ -62,8 +62,8 @@ private:
         return (!of_edges_ || options_.shows[segment.kind]) && (may_be_hidden || !piece.is_hidden);
     }
 
-    /// Drops dots where a scan's roughness is on its horizon: contours and borders that meet
-    /// nothing else that is seen, and reach nowhere.
+    /// Drops specks, which rough scans have near their horizon: contours and borders in connected
+    /// sets smaller than the shortest contour.
     void leave_out_specks() {
         std::uint32_t nodes = 0;
         for (const SightPiece& piece : pieces_)
@@ -88,7 +88,7 @@ private:
         pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(), is_speck), pieces_.end());
     }
 
-    /// Pieces of one class go on into each other; near edges of walls only among themselves.
+    /// Only pieces of one class are joined; near edges of faces seen edge-on are a class.
     int class_of(std::uint32_t half) const {
         const SightPiece& piece = pieces_[half / 2];
         if (options_.in_picture && piece.is_outline) return -1;
@@ -99,7 +99,7 @@ private:
         return 2 * kind + piece.is_hidden;
     }
 
-    /// In space, a crossing is a node of each of its segments.
+    /// In space, each of the two segments of a crossing has a node of its own.
     std::pair<std::uint32_t, std::uint32_t> node_of(std::uint32_t half) const {
         const SightPiece& piece = pieces_[half / 2];
         const std::uint32_t node = piece.nodes[half % 2];
@@ -107,7 +107,7 @@ private:
         return {node, is_in_space ? piece.segment : 0};
     }
 
-    /// Those of lines on the surface are in order.
+    /// Links the pieces of lines on the surface, which are in order.
     void link_successive() {
         const auto line_of = [&](std::uint32_t piece) { return segment_of(2 * piece).line; };
         for (std::uint32_t piece = 0, first = 0; piece < pieces_.size(); ++piece) {
@@ -138,8 +138,8 @@ private:
 
     void join(std::uint32_t a, std::uint32_t b) { nodes_[a] = nodes_[b] = graph_.add_node(); }
 
-    /// Two continue each other; of more, the straightest pairs; of a great many, only outlines,
-    /// which have to close.
+    /// Links pieces at a node: two of them, or the straightest pairs; of a great many only
+    /// outlines, which have to close.
     void link(const std::vector<std::uint32_t>& halves, bool are_outlines) {
         if (halves.size() == 2) return join(halves[0], halves[1]);
         if (halves.size() > kMostAtNode) {
@@ -174,7 +174,6 @@ private:
         return all_.picture.mesh().in_mesh(a + share * (b - a));
     }
 
-    /// An end of a piece, with what that piece alone knows.
     SightPoint point_at(std::uint32_t half) const {
         const SightPiece& piece = pieces_[half / 2];
         const SightSegment& segment = segment_of(half);
@@ -184,7 +183,7 @@ private:
         const LinePoint* const a =
             &of.set->points[of.line->first + segment.points[0] - of.first_point];
         const double share = share_at(all_, piece, int(half % 2));
-        // not by way of local coordinates, which may be coarser than the line's
+        // not from local coordinates, which may be coarser than the line's
         point.position = (1 - share) * of.set->place(a[0]) + share * of.set->place(a[1]);
         const auto t = float(share);
         const auto between = [&](float LinePoint::*value) {
@@ -224,7 +223,7 @@ private:
         return line;
     }
 
-    /// Only the ends of a line on the surface are nodes, and nothing drops beside it.
+    /// Lines on the surface have nodes only at their ends, and no depth jumps.
     void describe_line(std::uint32_t number, SightLine& line) const {
         line.jump = 0;
         line.strength = all_.lines[number].line->strength;
@@ -233,8 +232,8 @@ private:
             line.points[i].node = kNoSightNode;
     }
 
-    /// Smooths between exact points and open ends. A smooth line that is merely crossed in the
-    /// picture has no point there in space, which would hinder that.
+    /// Smooths between exact points and open ends. Removes the points of a smooth line where it is
+    /// only crossed in the picture, since they would disturb that.
     void smooth(SightLine& line) const {
         const auto is_passed = [&](const SightPoint& point) {
             return !point.is_exact && point.node >= first_crossing_;

@@ -16,11 +16,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-// In D: narrower gaps along borders are cracks of the mesh, which no paper shows.
+// In D: narrower gaps along borders are closed.
 constexpr double kCrack = 1e-5;
 
-/// Where a triangle's side meets another's plane: a corner, if both are the same, or between two,
-/// ascending.
+/// Where a triangle's side meets another's plane: between the two vertices of `side`, ascending, or
+/// at one if both are equal.
 struct CutEnd {
     Edge side;
     std::uint32_t pierced = 0;  // the other triangle; 0 for corners
@@ -36,10 +36,10 @@ bool has_corner(const Triangle& t, std::uint32_t vertex) {
     return vertex == t[0] || vertex == t[1] || vertex == t[2];
 }
 
-/// Of a triangle's corners over another's plane.
+/// Signed distances of a triangle's corners from another's plane.
 struct Heights {
     double over[3];
-    int signs[3];  // 0: as near as the precision
+    int signs[3];  // 0: within the precision
 
     Heights(const SightMesh& mesh, const Triangle& corners, const Vector3d& normal,
             const Vector3d& origin) {
@@ -49,7 +49,7 @@ struct Heights {
         }
     }
 
-    /// Whether the corners, without common ones, are all on one side.
+    /// Whether all corners but common ones are farther than `reach` on one side.
     bool are_beside(double reach, const Triangle& corners, const Triangle& other) const {
         bool are_over = true, are_under = true;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -71,11 +71,11 @@ struct Heights {
     bool reach_across() const { return are_on_both_sides() || single_corner() != 3; }
 };
 
-/// An edge in the plane of a triangle, with one of the triangles at it.
+/// A possible cut along an edge in the plane of a triangle, from one of the triangles at the edge.
 struct CutAlongEdge {
     Edge edge;
-    int side;      // of the plane, on which the triangle at the edge lies
-    FoundCut cut;  // of twice the triangle that has the edge in its plane
+    int side;      // side of the plane on which the triangle at the edge lies
+    FoundCut cut;  // both triangles are the one that has the edge in its plane
 };
 
 struct Found {
@@ -100,7 +100,7 @@ public:
                          [&](std::size_t t) { normals_[t] = mesh.normal(std::uint32_t(t)); });
     }
 
-    /// Within which triangles can meet.
+    /// Distance within which triangles can meet.
     double reach() const { return std::max(kCrack, mesh_.precision); }
 
     void judge(std::uint32_t t, std::uint32_t other, Found& found) const {
@@ -177,7 +177,7 @@ private:
                (end.position - begin.position).norm() > mesh_.precision;
     }
 
-    /// Where the sides of a triangle meet a plane; only two places count.
+    /// Where the sides of a triangle meet a plane; false unless at two points.
     bool find_ends(std::uint32_t t, const Heights& heights, std::uint32_t other,
                    std::array<CutEnd, 2>& ends) const {
         const Triangle& corners = mesh_.triangles[t];
@@ -193,7 +193,7 @@ private:
         return count == 2;
     }
 
-    /// The same for both triangles of a side, to the bit.
+    /// Bit-identical for both triangles of a side.
     CutEnd piercing(std::uint32_t a, std::uint32_t b, double height_a, double height_b,
                     std::uint32_t other) const {
         if (a > b) std::swap(a, b), std::swap(height_a, height_b);
@@ -241,8 +241,8 @@ Found find_pairs(const SightMesh& mesh, const std::vector<bool>& on_border, BoxT
     return all;
 }
 
-/// A surface with an edge in a triangle's plane runs through it if it has triangles on both sides:
-/// asked for all at an edge together, so that they agree.
+/// A surface with an edge in a triangle's plane intersects it if it has triangles on both sides.
+/// Decided for all triangles at an edge together, so that they agree.
 void add_cuts_along_edges(Found& found) {
     const auto key = [](const CutAlongEdge& c) {
         return std::tie(c.edge, c.cut.triangles[0], c.side);

@@ -14,7 +14,7 @@ namespace laplacian_lines {
 /// Where triangles that are no neighbours meet (T. Möller, "A Fast Triangle-Triangle Intersection
 /// Test", 1997).
 struct SurfaceContacts {
-    /// A piece of the line along which two triangles run through each other.
+    /// A segment along which two triangles intersect.
     struct Cut {
         Edge vertices;
         std::uint32_t triangles[2];
@@ -31,18 +31,18 @@ struct SurfaceContacts {
     std::vector<Cut> cuts;
     std::vector<OnEdge> on_edges;  ///< in no order; may hold one twice
     BoxTree<3> triangles;          ///< the mesh's, local
-    /// Vertices nearer than a quarter of the precision, as rounding moves them. If there are any,
-    /// they are all that is known: once they are one, other triangles touch.
+    /// Vertices nearer than a quarter of the precision, a rounding error. If there are any, nothing
+    /// else is filled in: merging them changes the contacts.
     std::vector<std::array<std::uint32_t, 2>> at_one_place;
 };
 
-/// Vertices at which a surface ends.
+/// By vertex, whether it is on a border.
 std::vector<bool> border_vertices(const SightMesh& mesh);
 
-/// Two triangles run through each other if both have corners on both sides of the other's plane,
-/// farther off than the precision, or if one has an edge in it with triangles on both sides; the
-/// cut then has only the other, twice. Else they touch. Ends of cuts that are no corners become new
-/// vertices, each on an edge. Borders nearer than a crack touch. @throws Error(Cancelled)
+/// Two triangles intersect if both have corners on both sides of the other's plane, farther off
+/// than the precision, or if one has an edge in it with triangles on both sides; the cut then has
+/// only the other, twice. Else they touch. Ends of cuts that are no corners become new vertices,
+/// each on an edge. Borders within kCrack of each other touch. @throws Error(Cancelled)
 SurfaceContacts find_surface_contacts(SightMesh& mesh, const std::vector<bool>& on_border,
                                       const StageProgress& stage);
 

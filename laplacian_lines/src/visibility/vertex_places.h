@@ -10,7 +10,7 @@
 
 namespace laplacian_lines {
 
-/// Vertices of a mesh, which outlives this, by place.
+/// Finds vertices of a mesh, which outlives this, by position.
 class VertexPlaces {
 public:
     /// Holds the vertices for which is_wanted(vertex).
@@ -26,7 +26,7 @@ public:
         });
     }
 
-    /// Calls visit(vertex) for those at the place of p, within `reach` of it.
+    /// Calls visit(vertex) for the vertices within `reach` of p.
     template <class Visit>
     void visit_at(const Eigen::Vector3d& p, double reach, Visit visit) const {
         visit_along(p, p, reach, [&](std::uint32_t v) {

@@ -17,8 +17,8 @@ struct Object {
     const laplacian_lines::TriangleMesh& mesh;
     const laplacian_lines::Field* field = nullptr;
     std::string name = {};  ///< for messages
-    /// Of the field, or without one, of a field whose kernel has this √h, mesh units: for drawings
-    /// that may not take long. May be null.
+    /// Built from the field, or without one, from a field with the kernel `extractor_kernel`, for
+    /// drawings that have to be fast. May be null.
     const laplacian_lines::LineExtractor* extractor = nullptr;
     double extractor_kernel = 0;
 };

@@ -6,7 +6,7 @@
 
 namespace line_drawing {
 
-/// What is inside of lines that overlap.
+/// As in SVG and PDF.
 enum class FillRule { EvenOdd, NonZero };
 
 /// Straight pieces and cubic Bézier curves in a plane.
@@ -25,10 +25,9 @@ struct Path {
 
     bool is_empty() const { return pieces.empty(); }
     void move_to(const Point& p);
-    /// Like curve_to(), adds nothing if the line is there already.
+    /// Like curve_to(), adds nothing if the line ends there already.
     void line_to(const Point& p);
     void curve_to(const Point& first, const Point& second, const Point& end);
-    /// Straight.
     void close();
     void add_rectangle(const Point& corner, double width, double height);
     void add_circle(const Point& center, double radius);

@@ -41,7 +41,7 @@ struct SheetLayer {
     std::vector<SheetText> texts;
 };
 
-/// A view with its lines, or the furniture around the drawing.
+/// A view with its lines, or the annotations of the sheet.
 struct SheetGroup {
     std::string key;  ///< unique: "front"
     std::string name;
@@ -69,7 +69,7 @@ struct Sheet {
     /// any.
     double kernel = 0;
     std::string provenance = {};  ///< metadata of files, as provenance_text() has it; empty: none
-    std::vector<std::string> remarks = {};  ///< what is to be said of the drawing besides
+    std::vector<std::string> remarks = {};  ///< messages for the user
 };
 
 }  // namespace line_drawing

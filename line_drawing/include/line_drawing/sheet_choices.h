@@ -11,7 +11,7 @@
 
 namespace line_drawing {
 
-/// A person's choices for a drawing, as written for the command or the filter.
+/// The options of a drawing as users write them for the command or the filter.
 struct SheetChoices {
     SheetLook look;
     std::string file = "drawing.svg";  ///< to be written
@@ -24,7 +24,7 @@ struct SheetChoices {
     bool is_of_all_layers = false;  ///< the visible ones
     int settings = 0;               ///< see settings_names()
     double detail = 50;             ///< as of LineStyle
-    bool draws_damaged = false;     ///< files that are not whole
+    bool draws_damaged = false;     ///< also damaged files
     double dpi = 300;               ///< of PNG
     int format = 1;                 ///< of drawings in a folder: PDF of kSheetFormats
 };
@@ -55,11 +55,11 @@ struct SheetOption {
     const char* form = "";  ///< placeholder for a text in the command's help
     /// The command's name for it, without --; null: the key.
     const char* command_word = nullptr;
-    bool adds_up = false;  ///< the command takes several
+    bool adds_up = false;  ///< may be given several times
 
     bool is_of(Place one) const { return place == Place::Both || place == one; }
     std::string command() const;  ///< "--paper"
-    Words words() const;          ///< of the command; none if anything may be written
+    Words words() const;          ///< values that the command allows; none if any
     std::string value_in(const SheetChoices& choices) const;  ///< as the command writes it
     /// Reads the command's value. @throws laplacian_lines::Error(InvalidOption) that says what is
     /// allowed
@@ -77,7 +77,7 @@ const SheetOption* command_option(const std::string& command);
 /// @throws laplacian_lines::Error(InvalidOption)
 SheetChoices read_choices(const Words& words);
 
-/// Puts the names of meshes, without extensions, in place of {name}.
+/// Replaces {name} by the names of meshes, without extensions.
 std::string title_of(std::string title, const Words& names);
 
 /// The command's help.

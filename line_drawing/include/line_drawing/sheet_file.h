@@ -15,7 +15,7 @@ namespace line_drawing {
 struct SheetFormat {
     const char* ending;  ///< of files, in lower case
     std::string (*write)(const Sheet& sheet, double dpi);
-    bool has_any_letter;       ///< of the reader's font, not of ours
+    bool has_any_letter;       ///< text is shown in the reader's font, not in ours
     bool has_tapered_strokes;  ///< DXF readers draw even widths
 };
 extern const std::array<SheetFormat, 4> kSheetFormats;
@@ -31,7 +31,7 @@ const SheetFormat& format_of(const std::string& file);
 /// too large, with what to do instead
 std::string write_sheet(const Sheet& sheet, const std::string& file, double dpi = 300);
 
-/// Whether the file can have the letters of title and source, asked before the work begins.
+/// Checks, before the work begins, whether the format has the letters of title and source.
 /// @returns a remark if letters of the source become boxes
 /// @throws laplacian_lines::Error(InvalidOption) if the title's do, with what to do instead
 std::vector<std::string> check_texts(const SheetOptions& options, const std::string& file);
@@ -47,10 +47,10 @@ struct SourceMesh {
 std::string provenance_text(const std::vector<SourceMesh>& meshes,
                             const std::optional<Words>& options = {});
 
-/// That of a file's bytes, with what follows; empty: there is none.
+/// The provenance in a file's bytes, and the bytes that follow; empty if there is none.
 std::string provenance_in(std::string bytes);
 
-/// Whether the bytes are of a file that says it was drawn of other meshes.
+/// Whether the provenance in a file's bytes names other meshes.
 bool is_of_others(const std::string& bytes, const std::vector<SourceMesh>& meshes);
 
 }  // namespace line_drawing

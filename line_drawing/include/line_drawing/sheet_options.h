@@ -12,11 +12,11 @@
 
 namespace line_drawing {
 
-/// Where views stand around the front view (ISO 5456-2). First angle: the view from the left is on
-/// the right, from above below. Third angle: from the left on the left, from above above.
+/// Layout of the views around the front view (ISO 5456-2). First angle: the view from the left is
+/// on the right, that from above below. Third angle: on the left, above.
 enum class Arrangement { FirstAngle, ThirdAngle };
 
-/// Strokes that swell and taper with the lines' weights, as filled areas, or of even width, for
+/// Tapered: widths follow the lines' weights, as filled areas. Plain: of constant width, for
 /// plotters and CAD.
 enum class StrokeStyle { Tapered, Plain };
 
@@ -27,10 +27,10 @@ enum class WallStyle { Hatched, Filled, None };
 /// edges. Iso (128): all visible edges are as wide as outlines, other lines half as wide.
 enum class Weights { Illustrator, Iso };
 
-/// Outlines to add as areas, without their holes: of the drawing, or of each object as if alone.
+/// Areas to add, enclosed by the outlines of the drawing, or of each object alone.
 enum class OutlineArea { None, Filled, Objects };
 
-/// Letters of readers' fonts, or areas of the shape of letters, for print shops and plotters.
+/// Text in fonts of the reader, or letters as areas, for print shops and plotters.
 enum class TextStyle { Letters, Outlines };
 
 /// Of outlines, borders and creases.
@@ -62,40 +62,40 @@ inline laplacian_lines::LineStyle style_on_paper(laplacian_lines::LineStyle styl
     return style;
 }
 
-/// A size of detail: 0 if the drawing chooses it; mm on paper; or a share of the diagonal of the
-/// object's bounding box.
+/// A length: 0 if automatic; in mm on paper; or as a share of the diagonal of the object's bounding
+/// box.
 struct DetailSize {
     double size = 0;
     bool is_share = false;
 };
 
-/// Choices that need no parsing; the rest of SheetOptions is made from what was written.
+/// Options that need no parsing; the rest of SheetOptions is parsed from SheetChoices.
 struct SheetLook {
-    UpAxis up = UpAxis::Y;  ///< of sections; views know theirs
+    UpAxis up = UpAxis::Y;  ///< of sections; views have their own
     Arrangement arrangement = Arrangement::FirstAngle;
     StrokeStyle strokes = StrokeStyle::Tapered;
     WallStyle wall = WallStyle::Hatched;
     HiddenLines hidden = HiddenLines::LeftOut;
     OutlineArea area = OutlineArea::None;
     TextStyle text = TextStyle::Letters;
-    /// Names of several views, scale bar with the symbol of the projection, notes of title, scale,
-    /// size and source.
+    /// Names of views, if there are several; scale bar, projection symbol, and the notes: title,
+    /// scale, size and source.
     bool has_furniture = true;
 };
 
 struct SheetOptions : SheetLook {
     std::vector<ViewFrame> views;
     std::vector<line_drawing::Section> sections;  ///< drawn after the views
-    /// Drawn over true length; 0: the largest usual scale that fits the paper. Views in perspective
-    /// have none: beside others they match them at the middle of the object, alone they fill the
-    /// paper.
+    /// Drawn over true length; 0: the largest standard scale that fits the paper. Views in
+    /// perspective have none: beside others they have their scale at the centre of the object,
+    /// alone they fill the paper.
     double scale = 0;
     double mm_per_unit = 1;    ///< true length of a unit of the mesh
     std::string paper = "a4";  ///< a5 to a0, or "fit": as large as the drawing
-    /// Drawings of less than 40 mm have finer ones.
+    /// Drawings of less than 40 mm get finer ones.
     Pens pens = pens_of(Weights::Illustrator);
-    /// √h of the inner lines. 0: four inner pens, by style.detail twice to half as much, as far as
-    /// the mesh has the detail.
+    /// √h of the inner lines. 0: four inner pens, times 2 to 1/2 by style.detail, limited by the
+    /// edges of the mesh.
     DetailSize kernel;
     /// Standard deviation of the smoothing of normals. 0: by the mesh's roughness, at least √h / 4.
     DetailSize smoothing;

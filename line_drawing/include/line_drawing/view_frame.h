@@ -22,31 +22,32 @@ struct ViewFrame {
     Side side = Side::Front;
     std::string name;  ///< for people, "Front" or "View 30°, 15°"
     Eigen::Vector3d right, up, towards_viewer;
-    /// Left of a vessel's axis the section with what is behind it, right of it the outside.
+    /// Of a vessel: the section and the inside behind it on the left of the axis, the outside on
+    /// the right.
     bool is_half_section = false;
-    /// The eye of a perspective view, mesh coordinates; none: far away, lengths across the view are
-    /// true. The picture ends 60 degrees off its middle.
+    /// The eye of a perspective view, mesh coordinates; none: orthographic. Perspective views are
+    /// clipped 60 degrees off their axis.
     std::optional<Eigen::Vector3d> eye = std::nullopt;
 };
 
-/// From the picture, x right, y up, z to the viewer, to mesh coordinates.
+/// From picture coordinates, x right, y up, z to the viewer, to mesh coordinates.
 Eigen::Vector3d in_mesh(const Eigen::Vector3d& direction, const ViewFrame& frame);
 
 /// "Front" to "Bottom", in the order of Side.
 std::array<const char*, 6> side_names();
 
-/// As seen by an observer who walks around the upright object; the object's front is at the lower
-/// edge of the top view and at the upper edge of the bottom view.
+/// As when walking around the upright object; the object's front is at the lower edge of the top
+/// view and at the upper edge of the bottom view.
 ViewFrame frame_of_side(Side side, UpAxis up);
 
-/// From the front by `azimuth` degrees to the right around the object and `elevation` degrees up,
-/// −90 to 90. @throws laplacian_lines::Error(InvalidOption)
+/// The front view turned by `azimuth` degrees to the right around the object and `elevation`
+/// degrees up, −90 to 90. @throws laplacian_lines::Error(InvalidOption)
 ViewFrame frame_of_direction(double azimuth, double elevation, UpAxis up);
 
 /// A plane across an axis of the mesh.
 struct Section {
     int axis = 0;        ///< 0 to 2: x, y, z
-    double share = 0.5;  ///< where across the bounding box, 0 to 1
+    double share = 0.5;  ///< position in the bounding box, 0 to 1
 };
 
 /// From names such as "y=0.5", separated by commas or spaces.

@@ -14,19 +14,19 @@
 
 namespace line_drawing {
 
-/// How a window shows objects.
+/// The camera of a window.
 struct WindowView {
     ViewFrame frame;  ///< eye and axes, in the coordinates of the objects
-    /// From there to clip coordinates, OpenGL's: as `frame` has it but for scale and place.
+    /// From these to OpenGL's clip coordinates; agrees with `frame` up to scale and shift.
     Eigen::Matrix4d to_clip;
     Eigen::Vector2i size;       ///< pixels
-    double pixels_per_mm = 10;  ///< of paper, in which pens are measured
+    double pixels_per_mm = 10;  ///< pixels for a mm on paper, the unit of pens
 };
 
-/// Which lines a picture has.
+/// The lines that are painted in one color.
 struct Ink {
     laplacian_lines::LineKindSet kinds = laplacian_lines::all_kinds();
-    /// Those behind the surface, undashed; they are in no other ink then.
+    /// Only lines behind the surface, undashed; other inks then have none.
     bool is_hidden = false;
 };
 
@@ -38,21 +38,21 @@ struct PaintedView {
     bool is_final = true;  ///< the kernel is that of the view
 };
 
-/// Paints objects as make_sheets() draws a view of them, for window after window: what hides lines
-/// is prepared once; lines within faces for each kernel, and kept. One thread at a time.
+/// Paints objects as make_sheets() draws a view of them, for successive windows. Visibility is
+/// prepared once, extractors once per kernel and cached. One thread at a time.
 class ViewPainter {
 public:
     /// Objects and what they refer to outlive this.
     explicit ViewPainter(Objects objects);
     ~ViewPainter();
 
-    /// What does not depend on the view, unless that is done. @throws as paint()
+    /// Prepares what does not depend on the view, once. @throws as paint()
     void prepare(const laplacian_lines::Progress& progress = {});
 
-    /// Views, scale, paper and furniture of the options do not matter. `may_wait`: else lines of
-    /// the nearest kernel are painted that is at hand, if any is.
-    /// @throws laplacian_lines::Error: Cancelled; InvalidOption if the eye is inside the surface
-    /// or sees nothing; InvalidMesh, EmptyMesh. std::bad_alloc
+    /// Ignores views, scale, paper and annotations of the options. Without `may_wait`, paints the
+    /// lines of the nearest cached kernel, if there is one.
+    /// @throws laplacian_lines::Error: Cancelled; InvalidOption if the eye is inside the surface or
+    /// sees nothing; InvalidMesh, EmptyMesh. std::bad_alloc
     PaintedView paint(const WindowView& view, SheetOptions options, const std::vector<Ink>& inks,
                       bool may_wait, const laplacian_lines::Progress& progress = {});
 

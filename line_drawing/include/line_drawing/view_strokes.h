@@ -11,15 +11,15 @@
 
 namespace line_drawing {
 
-/// Length of the longer side of a view on paper, mm, where none is asked for: most of A4.
+/// Default length of the longer side of a view on paper, mm: most of A4.
 constexpr double kUsualViewSize = 200;
 
 /// The strokes of a view as make_sheet() draws it with this size on paper, mm of its longer side,
-/// back in space: joined, thinned out, smooth. Each point is as deep as the line that it comes
-/// from, so strokes end where one line goes on behind another. Weights are shares of the width of
-/// outlines, contours or inner lines, as the stroke is one; opacities are 1; points have no nodes.
-/// Kinds, strengths and slopes are those of most of the stroke. Of the options, views, sections,
-/// scale, paper and furniture do not matter.
+/// in space: joined, thinned out, smoothed. Points have the depth of the line that they come from,
+/// so strokes end where one line continues behind another. Weights are shares of the width of
+/// outlines, contours or inner lines; opacities are 1; points have no nodes. Kinds, strengths and
+/// slopes are those of most of the stroke. Ignores views, sections, scale, paper and annotations of
+/// the options.
 /// @throws laplacian_lines::Error: Cancelled; InvalidOption if the eye is inside the surface or
 /// sees nothing; InvalidMesh, EmptyMesh, FieldMismatch
 std::vector<laplacian_lines::SightLine> strokes_of(const Objects& objects, const ViewFrame& frame,

@@ -7,13 +7,13 @@ namespace line_drawing {
 
 // Names of files are bytes, on Windows UTF-8.
 
-/// Writes a file whole or not at all: beside its place, flushed, then renamed. Follows links;
+/// Writes a file atomically: to a temporary file beside it, flushed, then renamed. Follows links;
 /// writes into devices and pipes, never replaces them.
 /// @throws laplacian_lines::Error(InvalidOption) naming file and reason; an existing file is as it
 /// was, and nothing is left beside it
 void write_whole(const std::string& file, const std::string& data);
 
-/// Whether the file could be written now, asked before the work begins. Writes nothing.
+/// Checks, before the work begins, that the file can be written. Writes nothing.
 /// @throws laplacian_lines::Error(InvalidOption)
 void check_writable(const std::string& file);
 

@@ -26,7 +26,7 @@ std::string upper(std::string text);
 std::string_view trimmed(std::string_view text);
 bool ends_with(std::string_view text, std::string_view end);
 
-/// Of a text that is a number and nothing else but blanks around it.
+/// The number in a text that holds nothing else but blanks.
 std::optional<double> number_in(std::string_view text);
 /// The shortest form with so many significant digits: "0.5", "1e+06".
 std::string in_digits(double x, int digits = 6);

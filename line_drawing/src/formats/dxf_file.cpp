@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kTolerance = 0.01;  // of polylines to curves, mm
 
-/// AutoCAD's colour numbers by keys of layers, to tell layers apart on the screen.
+/// AutoCAD's color numbers by keys of layers.
 const std::map<std::string, std::string> kColors = {
     {"outline", "7"}, {"contour", "3"}, {"edge", "5"},    {"inner", "4"},
     {"fine", "8"},    {"hidden", "2"},  {"section", "1"}, {"marks", "6"},
@@ -76,7 +76,7 @@ private:
         layers_.push_back({name, color == kColors.end() ? "7" : color->second, dash});
     }
 
-    /// Codes and what they announce, a line each.
+    /// Group codes and values, a line each.
     void write(std::initializer_list<std::pair<int, std::string>> groups) {
         for (const auto& [code, value] : groups)
             data_ += std::to_string(code) + '\n' + value + '\n';
@@ -137,8 +137,8 @@ private:
         write({{0, "SEQEND"}, {8, layer}});
     }
 
-    /// %% begins a code, and %%% is a percent sign, needed only beside another or a code. Codes of
-    /// letters have four digits: those beyond, such as emoji, become "?".
+    /// %% begins a code, so a percent sign beside another or a code is written as %%%. Codes of
+    /// letters have four digits; letters beyond, such as emoji, become "?".
     static std::string in_letters(const std::string& text) {
         const std::map<char32_t, std::string> codes = {
             {U'\u00b0', "%%d"}, {U'\u2300', "%%c"}, {U'\u00b1', "%%p"}};

@@ -48,7 +48,7 @@ struct FontRun {
 struct StandardText {
     std::vector<FontRun> runs;
     double width = 0;      ///< for a font of height 1
-    bool is_whole = true;  ///< no letter is missing, which is a question mark then
+    bool is_whole = true;  ///< false: letters that the fonts lack are question marks
 };
 
 // Thousandths of the height, from code 32 on; 0: no letter.
@@ -101,7 +101,7 @@ StandardText in_standard_fonts(const std::string& text) {
     return result;
 }
 
-/// In millimetres, y down.
+/// A page's content stream, in millimetres, y down.
 class Content {
 public:
     std::string of(const Sheet& sheet) {

@@ -24,7 +24,7 @@ std::string number_of(char32_t unit) {
     return "\\u" + lower(in_hexadecimal(unit));
 }
 
-/// JSON has numbers for all characters, of UTF-16.
+/// A JSON string in ASCII, with UTF-16 escapes.
 std::string quoted(const std::string& text) {
     constexpr std::string_view escaped = "\"\\\b\f\n\r\t", letters = "\"\\bfnrt";
     std::string json = "\"";
@@ -42,7 +42,7 @@ std::string quoted(const std::string& text) {
     return json + '"';
 }
 
-/// The members of an object but for its end.
+/// The members of a JSON object, without its end.
 std::string meshes_text(const std::vector<SourceMesh>& meshes) {
     Words list;
     for (const SourceMesh& mesh : meshes) {

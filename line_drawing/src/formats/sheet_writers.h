@@ -15,7 +15,7 @@ std::string deflated(const std::string& bytes);
 
 /// SVG 1.1 with millimetres as user units; groups and layers are Inkscape's layers.
 std::string write_svg(const Sheet& sheet, double dpi);
-/// One page in the standard fonts, which are not embedded; texts with other letters become
+/// One page in PDF's standard fonts, which are not embedded; texts with other letters become
 /// outlines.
 std::string write_pdf(const Sheet& sheet, double dpi);
 /// 256 grays, black on white. @throws laplacian_lines::Error(InvalidOption) if it would be too

@@ -8,7 +8,7 @@
 namespace line_drawing {
 namespace {
 
-/// In thousandths of a millimetre, relative: short, and rounding does not add up.
+/// Relative path commands, rounded to thousandths of a millimetre without accumulating errors.
 class PathData {
 public:
     std::string of(const Path& path) {

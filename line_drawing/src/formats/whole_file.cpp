@@ -57,7 +57,7 @@ bool may_write(const fs::path& file) {
     refuse_by_system(file, {error, std::generic_category()});
 }
 
-/// The system would cut the name there.
+/// The system would truncate the name there.
 void refuse_null(std::string file) {
     const std::size_t place = file.find('\0');
     if (place == file.npos) return;
@@ -115,7 +115,7 @@ fs::path place_of(const std::string& file) {
     return place;
 }
 
-/// A file beside its place, which it takes once complete; else it is removed.
+/// A temporary file beside the target, which replaces that once complete; else it is removed.
 class NewFile {
 public:
     explicit NewFile(const std::string& file)

@@ -11,7 +11,7 @@
 
 namespace line_drawing {
 
-/// Maps `begin` to `end` of the whole.
+/// Progress of a part of the work, from `begin` to `end` of the whole.
 inline laplacian_lines::Progress part(const laplacian_lines::Progress& progress, double begin,
                                       double end) {
     if (!progress) return {};
@@ -27,7 +27,7 @@ inline void report(const laplacian_lines::Progress& progress, double done, const
                                 laplacian_lines::ErrorCode::Cancelled);
 }
 
-/// Progress of equal works on several threads, reported only by the thread that made it, since
+/// Progress of equal tasks on several threads, reported only by the thread that made this, since
 /// windows may show it.
 class SharedProgress {
 public:

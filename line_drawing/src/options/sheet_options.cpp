@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLargestScale = 1e9;  // and one in as many
 
-/// By what it is the unit of, mm.
+/// A unit, its length in mm and the length in mm below which it is used.
 struct LengthUnit {
     const char* name;
     double mm, below;

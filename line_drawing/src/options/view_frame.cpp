@@ -158,7 +158,7 @@ ViewFrame frame_of_direction(double azimuth, double elevation, UpAxis axis) {
     const Vector3d up = up_of(axis), front = front_of(axis), right = up.cross(front);
     const double a = azimuth * degree, e = elevation * degree;
     const Vector3d outwards = std::cos(a) * front + std::sin(a) * right;
-    // No digit first: readers of SVG take that for a layer's number.
+    // Not beginning with a digit: SVG readers take that for a layer's number.
     const std::string name = "View " + in_digits(azimuth) + "°, " + in_digits(elevation) + "°";
     return make_frame(Side::Other, name, std::cos(e) * outwards + std::sin(e) * up,
                       std::cos(e) * up - std::sin(e) * outwards);

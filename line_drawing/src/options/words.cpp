@@ -19,7 +19,7 @@ std::string changed(std::string text, char first, char last, Change change) {
     return text;
 }
 
-/// Bytes of the character that begins with this one; 0: none does.
+/// Length in bytes of the UTF-8 character that begins with this byte; 0: none does.
 std::size_t length_by_first(unsigned char byte) {
     if (byte < 0x80) return 1;
     return byte >= 0xf5 || byte < 0xc2 ? 0 : byte >= 0xf0 ? 4 : byte >= 0xe0 ? 3 : 2;

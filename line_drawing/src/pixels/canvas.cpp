@@ -10,7 +10,7 @@ namespace {
 
 using Point = Path::Point;
 
-constexpr double kFarthest = 1e9;  // what is beyond that is drawn as if it were there
+constexpr double kFarthest = 1e9;  // coordinates are clamped to it
 constexpr int kLinesOfPixel = 16, kStepsOfPixel = 256, kWhole = kLinesOfPixel * kStepsOfPixel;
 
 struct Side {
@@ -59,7 +59,7 @@ std::vector<Side> sides_of(const std::vector<Polygon>& polygons, int line_count)
     return sides;
 }
 
-/// Of the pixels in a row.
+/// The coverage of the pixels in a row.
 class Coverage {
 public:
     explicit Coverage(int width)
@@ -72,7 +72,7 @@ public:
         const int first = begin / kStepsOfPixel, last = end / kStepsOfPixel;
         from_ = std::min(from_, first);
         to_ = std::max(to_, last);
-        // Whole pixels, less what is before the first, and what is in the last.
+        // Whole pixels, less the part before the start, plus the part in the last.
         starts_[std::size_t(first)] += kStepsOfPixel;
         starts_[std::size_t(last)] -= kStepsOfPixel;
         parts_[std::size_t(first)] -= begin % kStepsOfPixel;
@@ -95,7 +95,7 @@ public:
 
 private:
     int limit_, from_ = limit_, to_ = -1;
-    std::vector<int> parts_, starts_;  ///< and one for what ends at the right border
+    std::vector<int> parts_, starts_;  ///< and one for spans that end at the right border
 };
 
 void cover(std::vector<Crossing>& crossings, FillRule rule, Coverage& coverage) {
@@ -109,9 +109,9 @@ void cover(std::vector<Crossing>& crossings, FillRule rule, Coverage& coverage) 
     }
 }
 
-constexpr double kRoundness = 0.03;  // pixels of a round tip that its polygon may leave out
+constexpr double kRoundness = 0.03;  // pixels between a round tip and its polygon
 
-/// To the left of a direction where y is down.
+/// The direction to the left, with y down.
 Point left_of(const Point& direction) {
     return {direction.y(), -direction.x()};
 }
@@ -147,7 +147,7 @@ public:
     }
 
 private:
-    /// All polygons turn the same way, so that they do not cancel.
+    /// All polygons have the same orientation, so that they do not cancel.
     void join(const Point& p, const Point& before, const Point& after) {
         const double turn = cross(before, after);
         if (before.dot(after) < 0) {

@@ -12,7 +12,8 @@ namespace line_drawing {
 using Polygon = std::vector<Path::Point>;
 
 /// A gray picture, white at first. A pixel is as dark as the share of it that is covered: exact
-/// across, 16 lines down. By basic operations only, so that all machines give the same bits.
+/// along x, in 16 scan lines along y. Uses basic operations only, so that all machines give the
+/// same bits.
 class Canvas {
 public:
     /// @throws std::bad_alloc
@@ -34,8 +35,8 @@ private:
 };
 
 /// A stroke as polygons for FillRule::NonZero, in pixels. The pen is round, dashes have flat ends
-/// and gaps of half their length. A line of one point gives nothing; one without length a dot,
-/// dashed nothing.
+/// and gaps of half their length. A line of one point gives nothing; a line without length a dot,
+/// or nothing if dashed.
 void append_stroke(const Polygon& line, double width, double dash, std::vector<Polygon>& polygons);
 
 }  // namespace line_drawing

@@ -15,7 +15,7 @@ namespace {
 
 using laplacian_lines::Progress;
 
-// Progress at which what hides lines and the lines within faces are ready.
+// Progress at which visibility, and the lines within faces, are prepared.
 constexpr double kSightShare = 0.3, kLinesShare = 0.7;
 constexpr double kRoomAround = 12;                              // mm
 constexpr std::size_t kMostKeptBytes = std::size_t(128) << 20;  // of extractors for other kernels
@@ -28,8 +28,8 @@ Eigen::Vector2d pixel_of(const Eigen::Vector3d& point, const WindowView& view) {
         .cwiseProduct(view.size.cast<double>());
 }
 
-/// Of the view's picture on paper, whose upper left corner is that of the window: by a point in
-/// sight and one right of it.
+/// The placement of a view on a sheet whose upper left corner is that of the window, from a visible
+/// point and one right of it.
 Placement placement_of(const WindowView& view, const Eigen::Vector3d& middle, double mm_per_unit,
                        double reach) {
     const Eigen::Vector3d seen =
@@ -44,7 +44,7 @@ Placement placement_of(const WindowView& view, const Eigen::Vector3d& middle, do
     return {scale, on_paper - scale * Eigen::Vector2d(a.x(), -a.y())};
 }
 
-/// Whether a line reaches the window, or is so near that lines in it may join it.
+/// Whether a line reaches the window, or is so near that lines in the window may join it.
 bool is_near(const DrawnLine& line, const Placement& placement, const WindowView& window) {
     const Eigen::Vector2d size = window.size.cast<double>() / window.pixels_per_mm,
                           room = Eigen::Vector2d::Constant(kRoomAround);
@@ -59,7 +59,6 @@ bool is_of(const DrawnLine& line, const Ink& ink, bool hidden_apart) {
     return ink.kinds[line.kind] && is_apart == ink.is_hidden;
 }
 
-/// Of a view, with the lines of one ink.
 std::vector<std::uint8_t> paint_ink(const DrawnView& drawn, const Placement& placement,
                                     const SheetOptions& options, const WindowView& window,
                                     bool is_hidden, const Progress& progress) {
@@ -81,7 +80,7 @@ struct ViewPainter::Data {
     const Objects objects;
     Observer observer;
     ObjectLines lines;
-    bool is_ready = false;  ///< what hides lines
+    bool is_ready = false;  ///< visibility is prepared
 };
 
 ViewPainter::ViewPainter(Objects objects) : data_(std::make_unique<Data>(std::move(objects))) {}

@@ -26,7 +26,7 @@ Place place_of(const Vector3d& p) {
     return {p.x(), p.y(), p.z()};
 }
 
-/// The same from both triangles of an edge.
+/// Bit-identical from both triangles of an edge.
 Vector3d crossing_of(Vector3d a, Vector3d b, int axis, double height) {
     if (place_of(b) < place_of(a)) std::swap(a, b);
     const double t = (height - a[axis]) / (b[axis] - a[axis]);
@@ -55,7 +55,8 @@ std::vector<Piece> pieces_of(const std::vector<Vector3d>& positions,
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t next = (k + 1) % 3;
             if (above[k] == above[next]) continue;
-            // From a side that rises to one that falls: neighbours agree if they face alike.
+            // From a rising side to a falling one: consistent between triangles of equal
+            // orientation.
             (above[next] ? piece.begin : piece.end) = crossing_of(p[k], p[next], axis, height);
             ++found;
         }
@@ -68,7 +69,7 @@ std::vector<Piece> pieces_of(const std::vector<Vector3d>& positions,
 
 using Strip = std::pair<double, double>;
 
-/// Parts of a line that the areas cover together.
+/// The parts of a line within the union of the areas.
 std::vector<Strip> strips_at(const std::vector<Loops>& areas, const Vector2d& direction,
                              double offset) {
     std::vector<Strip> all, joined;

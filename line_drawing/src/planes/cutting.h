@@ -18,9 +18,9 @@ public:
     explicit CuttableMesh(const laplacian_lines::TriangleMesh& mesh)
         : positions_(mesh.positions), triangles_(conforming_triangles(mesh)) {}
 
-    /// Where the plane at `height` along a mesh axis cuts it, in mesh coordinates and in the order
-    /// of the triangles: closed lines of closed surfaces, even if triangles only share places, not
-    /// vertices.
+    /// The intersection with the plane at `height` along a mesh axis, in mesh coordinates and in
+    /// the order of the triangles: closed lines for closed surfaces, even if triangles share
+    /// positions only, not vertices.
     std::vector<Cut> cut(int axis, double height) const;
 
 private:
@@ -30,8 +30,8 @@ private:
 
 using Loops = std::vector<std::vector<Eigen::Vector2d>>;
 
-/// Where the line in the unit direction `direction`, `offset` to the left of the origin, enters and
-/// leaves what loops enclose (even-odd): places along it, ascending.
+/// Positions, ascending, along the line in the unit direction `direction`, `offset` to the left of
+/// the origin, at which it enters and leaves the area that loops enclose (even-odd).
 std::vector<double> crossings_at(const Loops& loops, const Eigen::Vector2d& direction,
                                  double offset);
 
@@ -49,16 +49,16 @@ struct HalfSpace {
     HalfSpace opposite() const { return {-normal, -offset}; }
 };
 
-/// Parts inside, which end on the plane. Closed lines inside stay closed.
+/// The parts inside, which end on the plane. Closed lines inside stay closed.
 laplacian_lines::LineSet clip(const laplacian_lines::LineSet& lines, const HalfSpace& inside);
 std::vector<laplacian_lines::SightLine> clip(const std::vector<laplacian_lines::SightLine>& lines,
                                              const HalfSpace& inside);
 std::vector<Cut> clip(const std::vector<Cut>& lines, const HalfSpace& inside);
 
-/// A loop around what is within both (even-odd); it may run along the plane several times.
+/// A loop around the intersection of both (even-odd); it may run along the plane several times.
 Cut clip_loop(const Cut& loop, const HalfSpace& inside);
 
-/// The surface inside; cuts triangles along the plane.
+/// The part of the surface inside; cuts triangles along the plane.
 laplacian_lines::TriangleMesh clip(const laplacian_lines::TriangleMesh& mesh,
                                    const HalfSpace& inside);
 

@@ -14,7 +14,7 @@ using Point = Path::Point;
 
 constexpr char32_t kNoCharacter = 0xfffd;
 
-/// Letters that the font lacks, and what is drawn for them.
+/// Letters that the font lacks, and their substitutes.
 constexpr std::u32string_view kLacking = U"\u2300\u2205\u2011\u2236";
 constexpr std::u32string_view kSubstitutes = U"\u00d8\u00d8-:";
 

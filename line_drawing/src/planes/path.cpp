@@ -8,7 +8,7 @@ namespace {
 
 using Point = Path::Point;
 
-constexpr double kQuarterHandle = 0.5522847498;  // of a curve for a quarter of a circle; of 1
+constexpr double kQuarterHandle = 0.5522847498;  // handle of a quarter of the unit circle
 constexpr int kMostHalvings = 9;
 
 bool is_same(const Point& p, const Point& q) {
@@ -43,7 +43,7 @@ double coordinate_at(double t, double a, double b, double c, double d) {
     return s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d;
 }
 
-/// Adds where a coordinate of a curve turns back.
+/// Extends a range to the extrema of a coordinate of a curve.
 void extend_to_turns(const Point& begin, const Path::Piece& curve, int axis,
                      Eigen::AlignedBox2d& box) {
     const double a = begin[axis], b = curve.first[axis], c = curve.second[axis],

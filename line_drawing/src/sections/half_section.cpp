@@ -18,15 +18,15 @@ using laplacian_lines::Triangle;
 using laplacian_lines::TriangleMesh;
 
 constexpr int kRounds = 30, kRoundsInSpace = 10;
-constexpr std::size_t kMostInSpace = 50000;  // triangles; more tell nothing else
-constexpr double kLeastMiss = 1e-3;          // of the size: misses below it weigh the same
-constexpr double kNearMiss = 0.25;  // of the distance: of normals that meet the axis, 15 degrees
+constexpr std::size_t kMostInSpace = 50000;  // triangles; more do not change the axis
+constexpr double kLeastMiss = 1e-3;          // of the size: smaller distances weigh the same
+constexpr double kNearMiss = 0.25;  // of the radius: normals that meet the axis; 15 degrees
 constexpr double kRimShare = 0.1;   // of the height
 constexpr int kDirections = 72;     // around the axis
 constexpr int kPartsOfSide = 8;
 constexpr double kTurn = 6.283185307179586;
 
-/// Along the axis: a triangle's middle, and its normal turned by 90 degrees, as long as the part of
+/// Along the axis: a triangle's centre, and its normal turned by 90 degrees, as long as the part of
 /// its area that faces sideways.
 struct Facet {
     Vector2d middle, across;
@@ -45,7 +45,7 @@ std::vector<Facet> facets_of(const TriangleMesh& mesh, int up) {
     return facets;
 }
 
-/// The point that the facets' normals miss least, by the sum of misses, not of their squares.
+/// The point with the least sum of distances (not of their squares) from the facets' normals.
 Vector2d meeting_point(const std::vector<Facet>& facets, Vector2d point, double size) {
     for (int round = 0; round < kRounds; ++round) {
         Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
@@ -77,8 +77,8 @@ double share_that_meets(const std::vector<Facet>& facets, const Vector2d& axis) 
     return all > 0 ? meeting / all : 0;
 }
 
-/// The line that all normals miss least, in any direction: a normal n at p meets the line of
-/// direction d and moment m if d · (p × n) + m · n = 0. Returns d.
+/// The line nearest to all normals, in any direction: a normal n at p meets the line of direction d
+/// and moment m if d · (p × n) + m · n = 0. Returns d.
 Vector3d direction_of_axis(const TriangleMesh& mesh, const Vector3d& middle, double size) {
     using Matrix6 = Eigen::Matrix<double, 6, 6>;
     using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -109,7 +109,7 @@ Vector3d direction_of_axis(const TriangleMesh& mesh, const Vector3d& middle, dou
     return line.head<3>();
 }
 
-/// From the surface's lower or upper end along `up`.
+/// Share of the directions around the axis with surface near its lower or upper end along `up`.
 double share_of_rim(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, int up, bool looks_up,
                     const Vector2d& axis) {
     const int x = (up + 1) % 3, y = (up + 2) % 3;
@@ -122,7 +122,7 @@ double share_of_rim(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, in
         is_there[std::size_t(std::floor((angle / kTurn + 0.5) * kDirections)) % kDirections] = true;
     };
     for (const Triangle& t : mesh.triangles)
-        for (int side = 0; side < 3; ++side)  // coarse ones reach over several directions
+        for (int side = 0; side < 3; ++side)  // large triangles cover several directions
             for (int part = 0; part < kPartsOfSide; ++part) {
                 const Vector3d &a = mesh.positions[t[std::size_t(side)]],
                                &b = mesh.positions[t[std::size_t(side + 1) % 3]];
@@ -131,9 +131,9 @@ double share_of_rim(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, in
     return double(std::count(is_there.begin(), is_there.end(), true)) / kDirections;
 }
 
-/// The axis around which a vessel was thrown, along the mesh's axis `up`: the normals of a surface
-/// of revolution meet its axis. Handles and spouts count little. Through the middle of the bounding
-/// box if normals do not tell. `looks_up`: upright along `up`, or upside down. By the linear
+/// The axis of revolution of a vessel along the mesh's axis `up`: the normals of a surface of
+/// revolution meet its axis. Handles and spouts count little. If normals do not decide, through the
+/// centre of the bounding box. `looks_up`: upright along `up`, or upside down. By the linear
 /// complex of normals, H. Pottmann, T. Randrup, "Rotational and helical surface approximation for
 /// reverse engineering", Computing 60 (1998), with iterated weights.
 VesselAxis find_axis(const TriangleMesh& mesh, int up, bool looks_up) {
@@ -155,7 +155,7 @@ VesselAxis find_axis(const TriangleMesh& mesh, int up, bool looks_up) {
     return axis;
 }
 
-constexpr double kLevelShare = 0.003;  // of the height: what counts as the level of rim or base
+constexpr double kLevelShare = 0.003;  // of the height: tolerance of the level of rim or base
 constexpr double kLeastSpan = 0.1;     // of the height: a round base is not a line
 
 // For VesselAxis. Of a cube .25 is round; a pot of 200 mm that leans by 5 degrees has its section 9

@@ -7,12 +7,12 @@
 
 namespace line_drawing {
 
-/// A vessel's axis, and the evidence for it.
+/// A vessel's axis, and how certain it is.
 struct VesselAxis {
-    Eigen::Vector3d point;  ///< in mesh coordinates; its own place along the axis is 0
-    double round = 0;       ///< share of what faces sideways whose normals meet the axis, nearly
-    double lean = 0;        ///< degrees by which the vessel's own axis stands off
-    double rim = 0;         ///< share of the way around the axis with surface in the upper tenth
+    Eigen::Vector3d point;  ///< on the axis, mesh coordinates; its coordinate along the axis is 0
+    double round = 0;       ///< share of the sideways area whose normals about meet the axis
+    double lean = 0;        ///< angle of the vessel's own axis to the mesh's, degrees
+    double rim = 0;         ///< share of the directions with surface in the upper tenth
 };
 
 /// Planes through the axis of a vessel.
@@ -23,7 +23,7 @@ public:
 
     /// @throws laplacian_lines::Error(InvalidOption) if the axis is not that of a vessel
     void expect_vessel() const;
-    /// Evidence for the axis, for notes: "rim 62 %, axis off by 1.5°".
+    /// Text for notes: "rim 62 %, axis off by 1.5°".
     std::string words() const;
 
     HalfSpace behind() const { return behind_; }
@@ -31,7 +31,7 @@ public:
     HalfSpace right() const { return right_; }
 
     /// Adds the section, the axis and the lines through rim and base to a view, and removes lines
-    /// that show through the objects' walls. `unit` as in project(), `middle` as in Projection.
+    /// within the objects' walls. `unit` as in project(), `middle` as in Projection.
     void draw(DrawnView& drawn, const std::vector<CuttableMesh>& objects,
               const Eigen::Vector3d& middle, double unit) const;
 

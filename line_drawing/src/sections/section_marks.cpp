@@ -8,8 +8,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kMarkReach = 9;  // how far marks stand out from the surface, mm on the sheet
-// likewise
+// mm on the sheet
+constexpr double kMarkReach = 9;  // from the surface to the end of a mark
 constexpr double kMarkGap = 1, kMarkLength = 4, kShaftLength = 3.5, kHeadLength = 2,
                  kHeadWidth = 1.2, kLetterHeight = 3.5, kLetterDistance = 2.2;
 constexpr double kCapitalHeight = 0.72;  // of a font's height
@@ -32,7 +32,7 @@ SheetPath arrow_head(const Vector2d& tip, const Vector2d& direction) {
     return head;
 }
 
-/// How far a rectangle reaches from `from` along `direction`.
+/// The distance from `from` to the border of a rectangle along `direction`.
 double reach_of(const Eigen::AlignedBox2d& place, const Vector2d& from, const Vector2d& direction) {
     using Box = Eigen::AlignedBox2d;
     double reach = 0;
@@ -71,7 +71,7 @@ std::vector<SectionMark> marks_of(const ViewFrame& frame, const SheetOptions& op
                                   const Eigen::AlignedBox3d& box) {
     constexpr double on_edge = 1e-9;
     std::vector<SectionMark> marks;
-    if (frame.eye) return marks;  // sees hardly a plane from its edge
+    if (frame.eye) return marks;  // in perspective hardly a plane is seen edge-on
     for (std::size_t i = 0; i < options.sections.size(); ++i) {
         const Section& section = options.sections[i];
         if (std::abs(frame.towards_viewer[section.axis]) > on_edge) continue;

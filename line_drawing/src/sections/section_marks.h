@@ -13,15 +13,15 @@ inline double place_on_axis(const Section& section, const Eigen::AlignedBox3d& b
     return box.min()[section.axis] + section.share * box.sizes()[section.axis];
 }
 
-/// Of the sections seen edge-on. `box` is the mesh's bounding box.
+/// Marks of the sections that are seen edge-on. `box` is the mesh's bounding box.
 std::vector<SectionMark> marks_of(const ViewFrame& frame, const SheetOptions& options,
                                   const Eigen::AlignedBox3d& box);
 
-/// What marks need beside and below the surface, mm on the sheet.
+/// The space for marks beside and below the surface, mm on the sheet.
 Eigen::Vector2d room_of_marks(const DrawnView& view);
 
-/// Short thick ends of each plane's line, with an arrow in the direction of sight and a letter (ISO
-/// 128-3).
+/// Draws the ends of each cutting plane's line, with an arrow in the viewing direction and a letter
+/// (ISO 128-3).
 SheetLayer draw_marks(const DrawnView& view, const Placement& placement,
                       const SheetOptions& options);
 

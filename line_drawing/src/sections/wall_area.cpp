@@ -12,7 +12,7 @@ using Eigen::Vector2d;
 
 constexpr std::size_t kRowCount = 256;  // of a wall's edges, and at which its area is measured
 constexpr double kLeastOverlap = .01;   // of the smaller of two walls
-constexpr double kSlightShare = 1e-6;   // of the area's size: what is so near its edge is on it
+constexpr double kSlightShare = 1e-6;   // of the area's size: tolerance at its border
 
 Eigen::AlignedBox2d box_of(const Wall& wall) {
     Eigen::AlignedBox2d box;
@@ -32,7 +32,7 @@ struct Stretch {
     double begin, end;
 };
 
-/// Stretches of a segment outside the area, which do not touch each other.
+/// The maximal stretches of a segment outside the area.
 std::vector<Stretch> outside(const WallArea& area, const Vector2d& a, const Vector2d& b) {
     std::vector<Stretch> result;
     const std::vector<double> at = area.crossings(a, b);
@@ -46,7 +46,7 @@ std::vector<Stretch> outside(const WallArea& area, const Vector2d& a, const Vect
     return result;
 }
 
-/// The start of a closed line is no end of its parts.
+/// Joins the last part to the first where a closed line begins.
 void join_at_begin(std::vector<DrawnLine>& parts) {
     std::vector<DrawnPoint>& last = parts.back().points;
     const std::vector<DrawnPoint>& first = parts.front().points;
@@ -78,7 +78,7 @@ std::vector<DrawnLine> parts_outside(const WallArea& area, const DrawnLine& line
     return parts;
 }
 
-/// The length that both cover on a line, each between pairs of crossings.
+/// The common length of two sets of intervals, each between pairs of crossings.
 double shared_length(const std::vector<double>& a, const std::vector<double>& b) {
     double length = 0;
     for (std::size_t i = 0, k = 0; i + 1 < a.size() && k + 1 < b.size();) {
@@ -88,7 +88,7 @@ double shared_length(const std::vector<double>& a, const std::vector<double>& b)
     return length;
 }
 
-/// The area that two walls share in a box; the whole of a wall with itself.
+/// The common area of two walls in a box; of a wall with itself, its area.
 double shared_area(const Wall& a, const Wall& b, const Eigen::AlignedBox2d& box) {
     const double height = box.sizes().y() / kRowCount;
     double area = 0;

@@ -5,7 +5,7 @@
 
 namespace line_drawing {
 
-/// What loops enclose (even-odd), for many queries.
+/// The area that loops enclose (even-odd), for many queries.
 class WallArea {
 public:
     explicit WallArea(const Wall& loops);
@@ -35,8 +35,8 @@ struct CutObject {
     std::vector<DrawnLine> lines = {};
 };
 
-/// Adds walls and lines to a view. Merges walls that overlap: their lines end where they enter
-/// another. Walls that touch, or overlap as little as scans of fitting parts do, stay apart.
+/// Adds walls and lines to a view. Walls that overlap are merged: their lines end where they enter
+/// another. Walls that touch, or overlap as little as scans of fitting parts, stay separate.
 void add_walls(const std::vector<CutObject>& objects, DrawnView& drawn);
 
 }  // namespace line_drawing

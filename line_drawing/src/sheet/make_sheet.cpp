@@ -22,9 +22,9 @@ using laplacian_lines::TriangleMesh;
 
 constexpr double kCheckPixel = 0.25;       // mm on the sheet
 constexpr double kLargestKernel = 0.0401;  // of the diagonal: meshes without detail have none
-// Progress at which lines are found, and what hides them is prepared.
+// Progress at which lines are found, and visibility is prepared.
 constexpr double kLinesShare = 0.4, kSightShare = 0.55;
-constexpr std::size_t kMostTrianglesAtOnce = 2000000;  // in views that are found together
+constexpr std::size_t kMostTrianglesAtOnce = 2000000;  // for views in parallel
 
 void check(const SheetOptions& options) {
     if (options.views.empty() && options.sections.empty()) refuse("A drawing needs a view.");
@@ -35,7 +35,7 @@ void check(const SheetOptions& options) {
             refuse("The width of a pen has to be more than 0, up to 10 mm.");
 }
 
-/// As on their marks, if any view has these.
+/// Names sections like their marks, if any view has these.
 void name_sections(std::vector<DrawnView>& views) {
     const bool has_marks = std::any_of(views.begin(), views.end(),
                                        [](const DrawnView& view) { return !view.marks.empty(); });
@@ -47,7 +47,7 @@ void name_sections(std::vector<DrawnView>& views) {
         }
 }
 
-/// The same view may be asked for twice.
+/// Makes keys unique, since a view may be given twice.
 void tell_apart(std::vector<SheetGroup>& groups) {
     std::set<std::string> keys;
     for (SheetGroup& group : groups) {
@@ -70,7 +70,7 @@ std::string remark_on(const std::string& note) {
 
 struct Draft {
     SheetOptions options;
-    std::vector<DrawnView> views;  ///< and behind these the sections
+    std::vector<DrawnView> views;  ///< sections follow the views
     SheetLayout layout;
     std::vector<std::vector<laplacian_lines::LineSet>> lines = {};  ///< within faces, by view
     std::vector<std::string> remarks = {};                          ///< of the objects' meshes
@@ -96,7 +96,7 @@ Draft lay_out(Observer& observer, const SheetOptions& options) {
 void find_lines(const Observer& observer, ObjectLines& lines, Draft& draft,
                 const Progress& progress) {
     SheetOptions& options = draft.options;
-    if (options.views.empty()) return;  // sections have their lines
+    if (options.views.empty()) return;  // sections have their lines already
     const double scale = draft.layout.placements[0].scale;
     lines.make_ready(options, scale, Kernel::Exact, progress);
     draft.remarks = lines.remarks();
@@ -109,7 +109,7 @@ void find_lines(const Observer& observer, ObjectLines& lines, Draft& draft,
             lines.extract(observer.view_of(draft.views[i], options), options.style));
 }
 
-/// Adds missing outlines. Returns their length by view, mm.
+/// Adds the visible lines of all views. Returns the length of missing outlines by view, mm.
 std::vector<double> look(const Observer& observer, Draft& draft, const Progress& progress) {
     const std::size_t count = draft.options.views.size();
     std::vector<double> missing(count);
@@ -124,7 +124,7 @@ std::vector<double> look(const Observer& observer, Draft& draft, const Progress&
     };
     if (observer.triangle_count() <= kMostTrianglesAtOnce)
         laplacian_lines::in_parallel(count, [&](std::size_t i) { look_at(i), check(i); });
-    else  // one by all threads, in the memory of one; the one before is checked meanwhile
+    else  // one after the other, for memory; the one before is checked meanwhile
         for (std::size_t i = 0; i <= count; ++i)
             laplacian_lines::in_parallel(2, [&](std::size_t is_check) {
                 if (is_check ? i > 0 : i < count) is_check ? check(i - 1) : look_at(i);
@@ -190,7 +190,7 @@ std::vector<Sheet> make_sheets(const Objects& objects, const std::vector<SheetOp
         drafts.push_back(lay_out(observer, o));  // before much work, since it may refuse
     }
     {
-        ObjectLines lines(objects);  // gone before what hides them is there: both are large
+        ObjectLines lines(objects);  // freed before visibility is prepared: both are large
         for_each(drafts, part(progress, 0, kLinesShare), [&](Draft& draft, const Progress& own) {
             find_lines(observer, lines, draft, own);
         });

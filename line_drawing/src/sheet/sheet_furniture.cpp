@@ -16,13 +16,13 @@ using Eigen::Vector2d;
 // mm
 constexpr double kThinPen = 0.18;
 constexpr double kTitleHeight = 4, kNoteHeight = 2.6, kLongestBar = 50, kBarHeight = 1.2;
-constexpr double kLeastHeight = 1.8, kSmaller = 0.94;           // of letters; a step towards it
+constexpr double kLeastHeight = 1.8, kSmaller = 0.94;           // of letters; factor of a step
 constexpr double kHeightOfTwoLines = 3.2, kLineDistance = 1.3;  // of a title; of its height
 constexpr double kWidestFont = 1.15;                            // of our letters' width
 constexpr double kSymbolHeight = 5, kSymbolWidth = 14, kStripGap = 6;
 const char* const kNoScale = "perspective, not to scale";
 
-/// Filled, or with this pen.
+/// Filled if `pen` is 0.
 SheetPath rectangle(const Vector2d& corner, double width, double height, double pen = 0) {
     SheetPath result{{}, pen};
     result.path.add_rectangle(corner, width, height);
@@ -43,7 +43,7 @@ struct FittedText {
     bool is_cut = false;
 };
 
-/// Lines end between words if they can; the last one with "…" if that is not all.
+/// Breaks lines between words if possible; ends the last one with "…" if that is not all.
 FittedText wrapped(std::u32string_view rest, double height, double width, std::size_t most_lines) {
     FittedText text{height, {}};
     while (!rest.empty() && text.lines.size() < most_lines) {
@@ -58,7 +58,7 @@ FittedText wrapped(std::u32string_view rest, double height, double width, std::s
     return text;
 }
 
-/// In letters of `height`, or smaller ones if that is not enough.
+/// Wraps text in letters of `height`, or smaller ones, down to `least`, until it fits.
 FittedText fit(const std::string& text, double height, double least, double width,
                std::size_t most_lines) {
     const std::u32string letters = letters_of(text);
@@ -84,8 +84,8 @@ SheetLayer view_names(const std::vector<DrawnView>& views, const SheetLayout& la
     return layer;
 }
 
-/// The longest usual length, 1, 2 or 5 times a power of ten, drawn at most `most` long; in the
-/// object's mm.
+/// The longest bar of 1, 2 or 5 times a power of ten, in mm of the object, that is drawn at most
+/// `most` long.
 double bar_length(double scale, double most) {
     double power = std::pow(10, std::floor(std::log10(most / scale) + 1e-9));
     for (const double first : {5., 2.})
@@ -101,7 +101,7 @@ std::string length_in_words(double mm) {
     return mm < 0.1 ? in_digits(mm * 1000) + " µm" : in_digits(mm) + " mm";
 }
 
-/// Blocks of a tenth, fifth or quarter of the bar, alternately black and white.
+/// Number of blocks of the bar, alternately black and white.
 int parts_of(double length) {
     const double first = length / std::pow(10, std::floor(std::log10(length) + 1e-9));
     return first > 1.5 && first < 3 ? 4 : 5;

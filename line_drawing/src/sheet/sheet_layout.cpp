@@ -28,7 +28,7 @@ std::vector<double> usual_scales() {
 
 struct Paper {
     const char* name;
-    double width, height;  // mm, upright
+    double width, height;  // mm, portrait
 };
 constexpr Paper kPapers[] = {{"a5", 148, 210}, {"a4", 210, 297}, {"a3", 297, 420},
                              {"a2", 420, 594}, {"a1", 594, 841}, {"a0", 841, 1189}};
@@ -43,10 +43,10 @@ std::optional<Vector2d> paper_size(const std::string& name) {
 }
 
 constexpr std::array<double, 10> kPenSeries = {0.1, 0.13, 0.18, 0.25, 0.35, 0.5, 0.7, 1, 1.4, 2};
-/// mm on paper: smaller drawings have pens one or two steps finer.
+/// mm on paper: smaller drawings get pens one or two steps finer.
 constexpr double kFullSize = 40, kHalfSize = 28;
 
-/// Pens, like drawing sizes here, go in steps of √2.
+/// Pens are in steps of √2.
 double finer(double pen, int steps) {
     const auto place = std::lower_bound(kPenSeries.begin(), kPenSeries.end(), pen);
     return kPenSeries[std::size_t(std::max<std::ptrdiff_t>(0, place - kPenSeries.begin() - steps))];
@@ -56,7 +56,7 @@ struct Cell {
     int row, column;
 };
 
-/// Around the front view, in first angle.
+/// The cell of a view around the front view, in first angle.
 Cell cell_of(Side side) {
     switch (side) {
         case Side::Back:
@@ -74,7 +74,7 @@ Cell cell_of(Side side) {
     }
 }
 
-/// Places sections, and views whose cell is taken: upright ones on the right in the front view's
+/// Places sections, and views whose cell is occupied: upright ones on the right in the front view's
 /// row, those from above below in its column.
 void place_beside_the_front(const std::vector<DrawnView>& views, UpAxis up,
                             std::vector<Cell>& cells) {
@@ -98,7 +98,7 @@ void place_beside_the_front(const std::vector<DrawnView>& views, UpAxis up,
     }
 }
 
-/// Sections, if there are too many for a row: in rows of so many, below the views.
+/// Places sections in rows of so many below the views.
 void place_in_rows(const std::vector<DrawnView>& views, int in_a_row, std::vector<Cell>& cells) {
     int row = 0, column = 0;
     for (std::size_t i = 0; i < views.size(); ++i)
@@ -114,7 +114,7 @@ void place_in_rows(const std::vector<DrawnView>& views, int in_a_row, std::vecto
         }
 }
 
-/// `sections_in_a_row`: 0 if they stand beside the front view.
+/// `sections_in_a_row`: 0 if they are beside the front view.
 std::vector<Cell> cells_of(const std::vector<DrawnView>& views, const SheetOptions& options,
                            int sections_in_a_row) {
     const Arrangement arrangement = options.arrangement;
@@ -139,12 +139,12 @@ std::vector<Cell> cells_of(const std::vector<DrawnView>& views, const SheetOptio
     return cells;
 }
 
-/// A row or column: the room of its views before and behind their middles, mm of the object.
+/// A row or column: the extents of its views before and behind their centres, mm of the object.
 struct Band {
     double before = 0, behind = 0;
     double room = 0;    // for marks at both ends, mm on the sheet
     double name = 0;    // width of the widest name, likewise
-    double middle = 0;  // on the sheet, mm, once it is placed
+    double middle = 0;  // position on the sheet, mm, set by place()
 
     void hold(double b, double a, double r) {
         before = std::max(before, b);
@@ -167,7 +167,7 @@ double place(Bands& bands, double start, double scale, double gap) {
     return end;
 }
 
-/// No view has a scale.
+/// Whether no view has a scale.
 bool are_in_perspective(const std::vector<DrawnView>& views) {
     return std::all_of(views.begin(), views.end(),
                        [](const DrawnView& view) { return view.frame.eye.has_value(); });
@@ -192,7 +192,7 @@ public:
         }
     }
 
-    /// Without furniture.
+    /// Without annotations.
     Vector2d size_at(double scale) {
         const double below = options_.has_furniture ? 2 * kViewNameHeight : 0;
         return {place(columns_, 0, scale, kViewGap),
@@ -231,8 +231,8 @@ std::optional<double> largest_scale(Layout& layout, const Vector2d& paper) {
     return {};
 }
 
-/// 0 if sections stand beside the front view, where they are in line with it: rows below have to be
-/// twice as large, or the only ones that fit.
+/// 0 if sections are beside the front view, aligned with it: rows below are only used if they
+/// double the scale, or are the only ones that fit.
 int sections_in_a_row(const std::vector<DrawnView>& views, const SheetOptions& options,
                       const Vector2d& paper) {
     constexpr double least_gain = 2;
@@ -264,9 +264,9 @@ SheetLayout lay_out_freely(Layout& layout, double scale) {
                                   size.y() + 2 * kSheetMargin + kStripHeight});
 }
 
-/// Views just fit: gaps between them do not scale.
+/// The scale at which views just fit; gaps between them do not scale.
 double filling_scale(Layout& layout, const Vector2d& paper) {
-    constexpr double far = 1e4;  // where views are wider than their names
+    constexpr double far = 1e4;  // a scale at which views are wider than their names
     const Vector2d beyond = layout.size_at(far), growing = (layout.size_at(2 * far) - beyond) / far;
     const auto filling = [&](const Vector2d& fixed) {
         return (room(paper) - fixed).cwiseQuotient(growing).minCoeff();
@@ -276,7 +276,7 @@ double filling_scale(Layout& layout, const Vector2d& paper) {
     return has_room ? scale : filling(layout.size_at(0));
 }
 
-/// For views without scale: as large as the paper allows; A4 if any will do.
+/// For views without scale: as large as the paper allows, A4 if it is not given.
 SheetLayout lay_out_filling(Layout& layout, const std::optional<Vector2d>& paper) {
     const Vector2d upright = paper.value_or(Vector2d(kPapers[1].width, kPapers[1].height));
     const Vector2d lying = upright.reverse();

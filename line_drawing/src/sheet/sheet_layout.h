@@ -13,7 +13,7 @@ constexpr double kSheetMargin = 10, kViewGap = 10, kViewNameHeight = 3, kStripHe
 struct SheetLayout {
     Eigen::Vector2d size;
     double scale;                       ///< 0: all views are in perspective
-    std::vector<Placement> placements;  ///< one for each view
+    std::vector<Placement> placements;  ///< by view
 };
 
 /// Rows and columns around the front view, so that equal heights of the object line up; other
@@ -21,29 +21,30 @@ struct SheetLayout {
 /// paper or the views do not fit
 SheetLayout lay_out(const std::vector<DrawnView>& views, const SheetOptions& options);
 
-/// For the largest view of a drawing, mm on paper: small ones have pens one or two steps finer.
+/// Pens for a drawing whose largest view has this size on paper, mm: one or two steps finer if
+/// small.
 Pens pens_for(double size, Pens pens);
 
-/// Names of views, scale bar, projection symbol, title. Adds remarks to the sheet if texts are too
-/// long.
+/// Draws names of views, scale bar, projection symbol, title and notes. Adds remarks to the sheet
+/// if texts are too long.
 SheetGroup draw_furniture(const std::vector<DrawnView>& views, const SheetLayout& layout,
                           const Eigen::Vector3d& object_size, const SheetOptions& options,
                           Sheet& sheet);
 
 /// Below its view.
 std::string name_of(const ViewFrame& frame, bool beside_scale);
-/// Of a text in the widest usual font, mm: SVG has the reader's.
+/// Width of a text in the widest common font, mm: SVG is shown in the reader's.
 double width_in_any_font(const std::string& text, double height);
 
 /// The text, or its beginning and "…".
 std::string elided(const std::string& text, double height, double width);
 
-/// A view's strokes, in the sheet's coordinates: its lines without what a drawing leaves out,
-/// eased, joined.
+/// A view's strokes, in the sheet's coordinates: its lines cleaned, smoothed, joined and thinned
+/// out.
 std::vector<DrawnLine> draw_lines(const DrawnView& view, const Placement& placement,
                                   const SheetOptions& options);
 
-/// `number` counts views from 1. Thin lines come first, outlines lie over them.
+/// `number` counts views from 1. Thin lines come first, outlines are over them.
 SheetGroup draw_view(const DrawnView& view, std::size_t number, const Placement& placement,
                      const SheetOptions& options);
 

@@ -16,9 +16,9 @@ namespace {
 constexpr double kDoubleReach = 0.4;
 constexpr double kAreaTone = 0.9;
 constexpr double kAreaTolerance = 0.001;    // mm: what files have
-constexpr double kEasedShare = 0.16;        // of the width of outlines, by which contours may move
-constexpr double kEasedShareOfInner = 0.6;  // of the width of inner lines, by which these may
-constexpr double kLeastShare = 0.03;        // of the picture, of lines that meet nothing
+constexpr double kEasedShare = 0.16;        // contours move by so much of the width of outlines
+constexpr double kEasedShareOfInner = 0.6;  // inner lines by so much of their width
+constexpr double kLeastShare = 0.03;        // of the picture: least length of isolated lines
 constexpr double kHatchSpacing = 1.5, kHatchWidth = 0.5;  // mm; share of an inner line's width
 
 struct LayerName {
@@ -73,13 +73,13 @@ SheetPath filled(const Wall& loops, double tone = 0) {
 
 using Loop = std::vector<Eigen::Vector2d>;
 
-/// Appends the corners from the first point to the last one, without that.
+/// Appends the corners from the first point to before the last one.
 void append_corners(const Loop& loop, std::size_t first, std::size_t last, Loop& corners) {
     for (const std::size_t i : corners_of(loop, first, last, kAreaTolerance))
         corners.push_back(loop[i]);
 }
 
-/// Closed loops keep their corners alone, wherever they begin.
+/// Simplifies a closed loop, also where it begins.
 Loop corners_of(Loop loop) {
     loop.pop_back();
     const auto by_place = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -96,7 +96,7 @@ Loop corners_of(Loop loop) {
     return corners;
 }
 
-/// What closed outlines enclose, exactly: neither eased nor left out.
+/// The exact area that closed outlines enclose, before smoothing and cleaning.
 SheetPath area_of(const std::vector<DrawnLine>& lines, const Placement& placement) {
     Wall loops;
     for (const DrawnLine& line : place(lines, placement))
@@ -128,9 +128,9 @@ std::vector<DrawnLine> draw_lines(const DrawnView& view, const Placement& placem
     const auto make_whole = [&] { lines = chain(std::move(lines), options.pens, is_tapered); };
     cut_hooks(lines, inner_pen);
     make_whole();
-    cut_hooks(lines, inner_pen);  // of what was too short by itself
+    cut_hooks(lines, inner_pen);  // again, of lines that were too short before joining
     lines = thin_out(std::move(lines), options.pens);
-    make_whole();  // nothing passes between some ends any more
+    make_whole();  // again, over gaps that lines have left
     const std::vector<MetEnd> met = join_ends(lines, inner_pen);
     ease_inner_lines(lines, kEasedShareOfInner * inner_pen);
     follow_met(met, inner_pen, lines);

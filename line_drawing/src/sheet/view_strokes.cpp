@@ -17,13 +17,13 @@ using Eigen::Vector3d;
 using laplacian_lines::SightLine;
 using laplacian_lines::SightPoint;
 
-// Progress at which lines are found, and what hides them is prepared.
+// Progress at which lines are found, and visibility is prepared.
 constexpr double kLinesShare = 0.5, kSightShare = 0.7;
 
 constexpr double kTolerance = 0.01;  // mm on paper, of corners
-// What is so much deeper, in D, over steps so steep, is another line behind the first.
+// A change in depth of so much, in D, over steps so steep, leads to another line behind the first.
 constexpr double kLeastJump = 0.02, kSteepest = 10;
-// In inner pens: shorter remains of a stroke beyond such a place are left out.
+// In inner pens: shorter parts of a stroke beyond such a place are dropped.
 constexpr double kShortestRemains = 6;
 
 /// Moves the strokes of a view from paper to space.
@@ -36,7 +36,7 @@ public:
           shortest_remains_(kShortestRemains * pen) {}
 
     void append(const DrawnLine& stroke, std::vector<SightLine>& lines) const {
-        std::vector<Vector3d> places;  // x and y on paper, and as deep
+        std::vector<Vector3d> places;  // x and y on paper, and depth
         for (const DrawnPoint& point : stroke.points)
             places.emplace_back(point.position.x(), point.position.y(),
                                 placement_.scale * point.origin.depth);
@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    /// Of steps that go steeply one way from this point on.
+    /// The end of the run of steps that are steep in the same direction from this point on.
     static std::size_t end_of_steep(const std::vector<Vector3d>& places, std::size_t i) {
         const bool goes_back = places[i + 1].z() > places[i].z();
         const auto is_steep = [&](const Vector3d& step) {
@@ -96,7 +96,7 @@ private:
                 1,     laplacian_lines::kNoSightNode, point.is_exact};
     }
 
-    /// That of a point whose kind most points have.
+    /// The origin of a point of the most frequent kind.
     static const LineOrigin& most_of(const DrawnLine& stroke, std::size_t first, std::size_t last) {
         std::array<std::size_t, laplacian_lines::kLineKindCount> counts{};
         std::size_t most = first;

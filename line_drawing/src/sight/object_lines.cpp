@@ -20,14 +20,14 @@ using laplacian_lines::PrecomputeOptions;
 using laplacian_lines::Progress;
 
 constexpr double kFieldShare = 0.8;   // of the time
-constexpr double kSameKernel = 0.02;  // a share: the lines of such kernels are the same
+constexpr double kSameKernel = 0.02;  // relative difference of kernels that count as equal
 
 /// Mesh units; `diagonal` is that of the mesh's bounding box.
 double length_of(const DetailSize& detail, double mm, double diagonal) {
     return detail.is_share ? detail.size * diagonal : detail.size / mm;
 }
 
-/// 2 at 0, 1 at 50, 1/2 at 100.
+/// 2 for a detail of 0, 1 for 50, 1/2 for 100.
 double kernel_factor(double detail) {
     return std::exp2(1 - detail / 50);
 }
@@ -70,7 +70,7 @@ ObjectLines::Extractor ObjectLines::at_hand(const Object& object) {
 std::size_t ObjectLines::bytes_of(const Extractors& kept) {
     std::size_t sum = 0;
     for (const Extractor& own : kept.extractors)
-        if (own.extractor.use_count() > 0) sum += own.extractor->memory();  // not if at hand
+        if (own.extractor.use_count() > 0) sum += own.extractor->memory();  // not if given
     return sum;
 }
 
@@ -78,7 +78,7 @@ double ObjectLines::distance(const Extractors& kept, const PrecomputeOptions& wa
     if (kept.made.curvature_derivatives < wanted.curvature_derivatives) return INFINITY;
     const double asked = kept.made.drawn_kernel_size, now = wanted.drawn_kernel_size;
     const auto is_same = [&](double kernel) {
-        // Beyond the limits of kernels all have the same.
+        // Requests beyond the limits of kernels get the limit.
         const double least = asked < (1 - kSameKernel) * kernel ? 0 : asked,
                      most = asked > (1 + kSameKernel) * kernel ? INFINITY : asked;
         return (1 - kSameKernel) * least <= now &&
@@ -144,7 +144,7 @@ ObjectLines::Extractors ObjectLines::compute(const SheetOptions& options, double
             computed = compute_field(object, wanted, options, mm, part(own, 0, kFieldShare));
         const Field& field = object.field ? *object.field : computed;
         for (const MeshFault fault : laplacian_lines::faults_of(field.report))
-            if (fault != MeshFault::CoarseKernel)  // as the scale or the user asks for
+            if (fault != MeshFault::CoarseKernel)  // the scale or the user chose the kernel
                 result.remarks.push_back((object.name.empty() ? "" : object.name + ": ") +
                                          describe(fault, field.report));
         result.extractors.push_back({std::make_shared<const laplacian_lines::LineExtractor>(

@@ -14,18 +14,17 @@
 
 namespace line_drawing {
 
-/// Whether lines may be those of a field with another kernel, if such are there.
+/// Whether the nearest cached kernel will do.
 enum class Kernel { Exact, AtHand };
 
-/// The lines within objects' faces, from fields as fine as the scale asks for. Objects outlive
-/// this.
+/// The lines within objects' faces, from fields whose kernel suits the scale. Objects outlive this.
 class ObjectLines {
 public:
-    /// Of extractors that are not in use, up to `most_bytes` are kept.
+    /// Caches up to `most_bytes` of extractors that are not in use.
     explicit ObjectLines(const Objects& objects, std::size_t most_bytes = 0);
 
-    /// Computes the fields for `scale`, mm on paper per mm of the object, unless given or kept.
-    /// Whether the kernel is that of this scale.
+    /// Computes the fields for `scale`, mm on paper per mm of the object, unless given or cached.
+    /// Returns whether the kernel is that of this scale.
     /// @throws laplacian_lines::Error, naming the object
     bool make_ready(const SheetOptions& options, double scale, Kernel kernel,
                     const laplacian_lines::Progress& progress);
@@ -44,19 +43,19 @@ private:
     struct Extractor {
         std::shared_ptr<const laplacian_lines::LineExtractor> extractor;
         double kernel;  ///< √h, mesh units
-        bool is_given;  ///< is of the object's own field
+        bool is_given;  ///< from the object's own field
     };
     struct Extractors {
-        laplacian_lines::PrecomputeOptions made;  ///< of the fields that are not given
-        bool is_exact;                            ///< they are what `made` gives
+        laplacian_lines::PrecomputeOptions made;  ///< options of the fields that are not given
+        bool is_exact;                            ///< these fields are computed by `made`
         std::vector<Extractor> extractors;        ///< by object
         std::vector<std::string> remarks;
     };
 
     static Extractor at_hand(const Object& object);
     static std::size_t bytes_of(const Extractors& kept);
-    /// From what `wanted` gives: 0 if it is the same, else the largest factor between kernels, or
-    /// infinite if these cannot do instead.
+    /// 0 if `kept` has the kernels of `wanted`, else the largest factor between kernels, or
+    /// infinite if these cannot be used instead.
     static double distance(const Extractors& kept,
                            const laplacian_lines::PrecomputeOptions& wanted);
 

@@ -124,9 +124,9 @@ bool is_at_border(const Mask& cover, std::size_t x, std::size_t y) {
                                   !cover.is_set(x, y - 1) || !cover.is_set(x, y + 1));
 }
 
-/// Checks a view's outlines by independent means: fills its triangles in pixels of this size, mm of
-/// the object. Returns the middles of border pixels without an outline within two pixels. `bounds`
-/// are the surface's in the view.
+/// Checks a view's outlines independently: fills its triangles in pixels of this size, mm of the
+/// object. Returns the centres of border pixels without an outline within two pixels. `bounds` are
+/// the surface's in the view.
 std::vector<Vector2d> border_without_outline(const TriangleMesh& mesh, const Projection& projection,
                                              double unit, const Eigen::AlignedBox2d& bounds,
                                              const std::vector<DrawnLine>& lines, double pixel) {
@@ -146,7 +146,7 @@ std::vector<Vector2d> border_without_outline(const TriangleMesh& mesh, const Pro
     return missing;
 }
 
-/// Segments within two pixels of these places, as outlines.
+/// Segments within two pixels of these points, as outlines.
 std::vector<DrawnLine> lines_at(const std::vector<Vector2d>& places,
                                 const std::vector<DrawnLine>& lines, double pixel) {
     std::vector<DrawnLine> found;
@@ -251,7 +251,7 @@ void Observer::look_half(DrawnView& drawn, const laplacian_lines::View& view,
     const SightLines inside = visibility.look(view, clip_each(lines, half.behind()),
                                               sight_of(options), part(progress, 0.3, 0.6));
     drawn.lines = draw(clip(inside, half.left()), drawn.frame, options);
-    for (DrawnLine& line : drawn.lines)  // the outline of this half is the section's
+    for (DrawnLine& line : drawn.lines)  // the section has the outline of this half
         if (line.line_class == LineClass::Outline) line.line_class = LineClass::Contour;
     half.draw(drawn, cuttable_, box_.center(), options.mm_per_unit);
     const SightLines all =
@@ -261,7 +261,7 @@ void Observer::look_half(DrawnView& drawn, const laplacian_lines::View& view,
 }
 
 double Observer::check_outlines(DrawnView& drawn, const SheetOptions& options, double pixel) const {
-    // In perspective, some of the surface may be out of the picture or behind the eye.
+    // In perspective, part of the surface may be outside the picture or behind the eye.
     const auto& shows = options.style.shows;
     if (drawn.frame.is_half_section || drawn.frame.eye ||
         !shows[laplacian_lines::LineKind::Contour] || !shows[laplacian_lines::LineKind::Border])

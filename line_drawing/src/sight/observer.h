@@ -13,7 +13,8 @@
 
 namespace line_drawing {
 
-/// Looks at objects, which outlive it.
+/// Finds the lines of views of objects, which outlive it: first a view without lines, then
+/// prepare() for all sheets, then the lines of each view, then a check of its outlines.
 class Observer {
 public:
     /// @throws laplacian_lines::Error(InvalidMesh)
@@ -24,14 +25,14 @@ public:
 
     /// A view without its lines.
     DrawnView stand(const ViewFrame& frame, const SheetOptions& options);
-    /// What a section cuts, without what is behind it.
+    /// A section, without the surface behind it.
     DrawnView cut(const Section& section, const SheetOptions& options);
     laplacian_lines::View view_of(const DrawnView& drawn, const SheetOptions& options) const;
-    /// Call before look(). @throws laplacian_lines::Error(Cancelled)
+    /// Prepares visibility; call before look(). @throws laplacian_lines::Error(Cancelled)
     void prepare(const std::vector<SheetOptions>& sheets,
                  const laplacian_lines::Progress& progress);
-    /// Adds what is seen of mesh edges and of `lines` within faces, by object. Thread-safe for
-    /// different views, like the functions below.
+    /// Adds the visible parts of mesh edges and of `lines`, those within faces by object.
+    /// Thread-safe for different views, like the functions below.
     void look(DrawnView& drawn, const std::vector<laplacian_lines::LineSet>& lines,
               const SheetOptions& options, const laplacian_lines::Progress& progress) const;
     /// Compares outlines with the pixels that the surface covers, of this size in mm of the object,
@@ -56,9 +57,9 @@ private:
 
     const Objects objects_;
     const laplacian_lines::TriangleMesh joined_;  ///< empty of a single object, which is not copied
-    const laplacian_lines::TriangleMesh& surface_;  ///< all objects, which hide what is behind
+    const laplacian_lines::TriangleMesh& surface_;  ///< all objects
     const Eigen::AlignedBox3d box_;
-    std::vector<CuttableMesh> cuttable_;  ///< objects, once any section wants them
+    std::vector<CuttableMesh> cuttable_;  ///< by object, if there is a section
     std::optional<const laplacian_lines::LineVisibility> visibility_;
     std::vector<laplacian_lines::LineVisibility> alone_;  ///< of each object, if wanted
 };

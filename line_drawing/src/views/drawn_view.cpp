@@ -13,7 +13,7 @@ using laplacian_lines::SightLine;
 using laplacian_lines::SightPoint;
 using laplacian_lines::TriangleMesh;
 
-/// Half width of a perspective view at distance 1: 60 degrees.
+/// Of half the field of view in perspective, 60 degrees.
 constexpr double kTangentOfSight = 1.7320508075688772;
 constexpr double kFaintestInnerLine = 0.5;  // mean share of the full width
 

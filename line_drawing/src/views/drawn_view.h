@@ -21,16 +21,16 @@ public:
     Projection(const ViewFrame& frame, const Eigen::Vector3d& middle);
 
     Eigen::Vector2d operator()(const Eigen::Vector3d& p) const;
-    /// Away from the viewer, from the eye or from `middle`.
+    /// Distance along the viewing direction from the eye, or from `middle` if orthographic.
     double depth(const Eigen::Vector3d& p) const;
-    /// What is there in the picture at that depth.
+    /// The point of space at a depth.
     Eigen::Vector3d place(const Eigen::Vector2d& picture, double depth) const;
 
-    /// Of the triangles in the picture; in perspective at least of what is in sight, empty if all
-    /// is behind the eye.
+    /// Bounds of the triangles in the picture; in perspective at least of the field of view, empty
+    /// if all is behind the eye.
     Eigen::AlignedBox2d bounds_of(const laplacian_lines::TriangleMesh& mesh) const;
 
-    /// Clipped to what is in sight; all in a parallel view.
+    /// Clips lines to the field of view in perspective.
     std::vector<laplacian_lines::SightLine> in_sight(
         std::vector<laplacian_lines::SightLine> lines) const;
 
@@ -43,7 +43,7 @@ private:
     Eigen::Vector2d middle_ = {0, 0};  // in the picture, from the point before the eye
 };
 
-/// What is known of a point of a line on the surface.
+/// The line on the surface that a point comes from.
 struct LineOrigin {
     double depth = 0;  ///< see Projection, mesh units
     laplacian_lines::LineKind kind = laplacian_lines::LineKind::Contour;
@@ -55,7 +55,7 @@ struct DrawnPoint {
     double weight = 1;  ///< 0..1, share of the full width
     /// Equal where lines meet.
     std::uint32_t node = laplacian_lines::kNoSightNode;
-    bool is_exact = true;   ///< on an edge of the form or where lines meet, not of a curved surface
+    bool is_exact = true;   ///< on an edge of the form or where lines meet; others may be smoothed
     bool is_eased = false;  ///< has been smoothed
     LineOrigin origin = {};
 
@@ -67,12 +67,12 @@ struct DrawnLine {
     LineClass line_class;
     bool closed;  ///< ends with a copy of its first point
     std::vector<DrawnPoint> points;
-    double jump = 0;  ///< of contours: the largest distance of what is behind them, in mm
+    double jump = 0;  ///< of contours: largest depth from them to the surface behind, mm
     laplacian_lines::LineKind kind = laplacian_lines::LineKind::Laplacian;  ///< but of sections
 };
 
 std::vector<Eigen::Vector2d> positions_of(const DrawnLine& line);
-/// From the point `begin` to the end.
+/// The length from the point `begin` to the end.
 double length_of(const std::vector<DrawnPoint>& points, std::size_t begin = 0);
 
 /// Direction out of a line's end, from the first point `reach` away from it.
@@ -85,21 +85,22 @@ void shift_end(std::vector<DrawnPoint>& points, bool is_last, const Eigen::Vecto
 /// Whether all of its points stay().
 bool is_fixed(const DrawnLine& line);
 
-/// Whether any of it stands for a smooth line, and may be smoothed.
+/// Whether any of its points is not exact.
 bool is_smooth(const DrawnLine& line);
 
-/// Whether a drawing may leave it out or join it to another: no edge of the form nor an axis.
+/// Whether a drawing may drop it or join it to another: it is neither an edge of the form nor an
+/// axis.
 bool is_inner(const DrawnLine& line);
 
-/// Loops around what a section cuts of one object (even-odd), if anything.
+/// The cut face of one object in a section: loops (even-odd), if any.
 using Wall = std::vector<std::vector<Eigen::Vector2d>>;
 /// Walls that overlap: one area.
 using MergedWalls = std::vector<Wall>;
 
-/// A plane of a section seen as a line, in the view's coordinates.
+/// A cutting plane seen edge-on, in the view's coordinates.
 struct SectionMark {
     std::string letter;
-    Eigen::Vector2d point, along, looking;  ///< on the line; unit directions of the line, of sight
+    Eigen::Vector2d point, along, looking;  ///< on the line; unit directions of line and viewing
 };
 
 /// A view in millimetres of the object, x right, y up, the middle of the bounding box at (0, 0).
@@ -112,7 +113,7 @@ struct DrawnView {
     bool is_section = false;
     std::vector<MergedWalls> walls = {};
     std::vector<SectionMark> marks = {};
-    std::string note = {};  ///< what the sheet has to say of it
+    std::string note = {};  ///< for the notes of the sheet
 };
 
 struct Placement {
@@ -127,7 +128,7 @@ struct Placement {
     }
 };
 
-/// Lines as they look in a view, times `unit`.
+/// Projects lines to a view, times `unit`.
 DrawnLine project(const std::vector<Eigen::Vector3d>& section, const Projection& projection,
                   double unit);
 std::vector<DrawnLine> project(const std::vector<laplacian_lines::SightLine>& lines,

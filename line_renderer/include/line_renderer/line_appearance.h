@@ -11,7 +11,7 @@ namespace line_renderer {
 struct LineLook {
     QColor color;
     double width = 0;         ///< pixels, of a line of full weight
-    double share_within = 1;  ///< of the width, where there is a surface on both sides
+    double share_within = 1;  ///< factor of the width where there is a surface on both sides
 };
 /// In the order of laplacian_lines::kLineKinds.
 using LineLooks = std::array<LineLook, laplacian_lines::kLineKindCount>;

@@ -22,19 +22,19 @@ struct LinePlacement {
     Eigen::Matrix4d projection;  ///< eye coordinates to clip coordinates
     double diagonal = 1;         ///< of the mesh, mesh units
     double sight_edge = 0;       ///< as laplacian_lines::sight_edge() has it, mesh units
-    double pixel_scale = 1;      ///< pixels of the viewport for one of the appearance
+    double pixel_scale = 1;      ///< pixels of the viewport per pixel of the appearance
     double mark_pixels = 0;      ///< diameter of points or wires drawn on the surface
-    DepthTexture depths{};       ///< of what hides lines
-    /// For tiles of one picture: mesh coordinates to clip coordinates common to all tiles, but for
-    /// a shift in the plane. Then all leave out the same of lines, to the bit.
+    DepthTexture depths{};       ///< of the surfaces that hide lines
+    /// For tiles of one picture: mesh coordinates to clip coordinates common to all tiles, up to a
+    /// shift in the plane, so that all tiles drop the same points.
     std::optional<Eigen::Matrix4d> picture_to_clip{};
-    /// By how much drawn lines may be off, pixels of the viewport. A quarter is invisible and
+    /// Tolerance of the simplification of lines, pixels of the viewport. A quarter is invisible and
     /// leaves a seventh of the dragon's segments.
     double tolerance = 0.25;
 };
 
-/// Draws line sets over what is in the depth buffer. Keeps OpenGL's state. One program and buffers
-/// per share group, which outlive views that close. GUI thread only.
+/// Draws line sets with a depth test. Keeps OpenGL's state. One program and buffers per share
+/// group, which outlive views that close. GUI thread only.
 class LineRenderer {
 public:
     LineRenderer();

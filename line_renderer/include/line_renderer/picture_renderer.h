@@ -19,7 +19,7 @@ struct InkPicture {
 };
 using InkPicturePointer = std::shared_ptr<const InkPicture>;
 
-/// Lays pictures over the view. Keeps OpenGL's state. GUI thread only.
+/// Draws pictures over the view. Keeps OpenGL's state. GUI thread only.
 class PictureRenderer {
 public:
     PictureRenderer();

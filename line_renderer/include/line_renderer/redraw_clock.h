@@ -6,19 +6,19 @@
 
 namespace line_renderer {
 
-/// Where the time of a redraw goes.
+/// Times the parts of a redraw.
 class RedrawClock {
 public:
     enum Part {
         Extraction,
         Upload,
-        DrawCalls,  ///< telling OpenGL what to draw, and all that is not one of the others
-        /// By OpenGL: its first call, where a software renderer does half the work, and the wait.
+        DrawCalls,  ///< on the CPU, and all that is not one of the others
+        /// By OpenGL: its first call, where a software renderer does half the work, and glFinish().
         Drawing,
         kPartCount
     };
 
-    /// Books the time since the last call, or since construction.
+    /// Adds the time since the last call, or since construction, to a part.
     void count(Part part) {
         const Clock::time_point now = Clock::now();
         spent_[part] += std::chrono::duration<double, std::milli>(now - last_).count();

@@ -15,7 +15,7 @@ class PerShareGroup;
 
 struct SurfaceVertex {
     Eigen::Vector3f position;  ///< mesh coordinates
-    Eigen::Vector3f normal;    ///< of the field: smoothed, zero where a vertex was left out
+    Eigen::Vector3f normal;    ///< of the field: smoothed, zero where a vertex was dropped
 };
 
 struct Surface {

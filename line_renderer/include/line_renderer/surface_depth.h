@@ -15,10 +15,10 @@ class PerShareGroup;
 struct DepthTexture {
     unsigned id = 0;  ///< OpenGL's name, of the current share group; 0: there is none
     Eigen::Vector2f texel = Eigen::Vector2f::Zero();
-    bool is_complete = false;  ///< holds all that is in the depth buffer too
+    bool is_complete = false;  ///< has everything that is in the depth buffer
 };
 
-/// The depths that lines are compared with, a texture per share group. Keeps OpenGL's state. GUI
+/// The depths of the depth test of lines, a texture per share group. Keeps OpenGL's state. GUI
 /// thread only.
 class SurfaceDepth {
 public:
@@ -32,9 +32,9 @@ public:
     /// The current viewport's depths, copied once a redraw.
     DepthTexture copy();
 
-    /// The nearest faces of all layers in the current viewport, for where points and wires stick
-    /// out of them, or have no faces. Needs the camera's matrices current. Redraws only after
-    /// changes. @throws std::runtime_error if OpenGL cannot do it
+    /// Renders the nearest faces of all layers in the current viewport, where the depth buffer has
+    /// points and wires, which stand out, or no faces. Needs the camera's matrices current. Redraws
+    /// only after changes. @throws std::runtime_error if OpenGL cannot do it
     DepthTexture update(const std::vector<SurfaceLayer>& layers, SurfaceBuffers& buffers);
 
 private:

@@ -16,7 +16,7 @@ class ShaderProgram;
 /// White, or in three tones from white to gray where the surface turns away.
 enum class SurfaceStyle { Paper, Toon };
 
-/// Paints faces of meshes over what is seen of them already, and what is around them. Keeps
+/// Paints the visible faces of meshes, over those that MeshLab has drawn, and the background. Keeps
 /// OpenGL's state. One program each per share group. GUI thread only.
 class SurfaceRenderer {
 public:
@@ -29,9 +29,9 @@ public:
     void paint(const SurfaceLayer& layer, SurfaceStyle style, const Eigen::Matrix4d& to_eye,
                const DepthTexture& depth, SurfaceBuffers& buffers);
 
-    /// Whitens the pixels of the current viewport that have the depth of an empty view. Call it
-    /// before any lines, which reach beyond outlines. Keeps depths and alpha, so that snapshots
-    /// without background stay so. @throws std::runtime_error if OpenGL cannot do it
+    /// Paints the pixels of the current viewport that have the depth of an empty view white. Call
+    /// it before drawing lines, which extend beyond outlines. Keeps depths and alpha, for snapshots
+    /// without background. @throws std::runtime_error if OpenGL cannot do it
     void paint_background();
 
 private:

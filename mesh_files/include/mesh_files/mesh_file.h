@@ -20,15 +20,16 @@ struct MeshInFile {
     /// Vertices as in the file, three per triangle in STL. Polygons are triangulated inside.
     laplacian_lines::TriangleMesh mesh;
     /// Where and why the file is malformed: "line 12: a vertex has two coordinates". The mesh has
-    /// what comes before; all, if only corners of triangles are without finite coordinates. Empty:
-    /// the file is sound.
+    /// the part before that, or all if only corners without finite coordinates are wrong. Empty:
+    /// the file is valid.
     std::string defect;
-    /// What of a sound file was skipped: "faces skipped that have fewer than three corners: 2".
+    /// Parts of a valid file that were skipped: "faces skipped that have fewer than three corners:
+    /// 2".
     std::string remark;
 };
 
 /// Reads any bytes, in time and memory proportional to their number; of vertices x, y and z only.
-/// An OBJ file that was cut off between lines cannot be told from a whole one. Thread-safe.
+/// An OBJ file that was cut off between lines cannot be recognized. Thread-safe.
 MeshInFile read_mesh(Format format, std::string_view bytes);
 
 }  // namespace mesh_files

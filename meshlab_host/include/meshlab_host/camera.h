@@ -20,7 +20,7 @@ CameraMatrices camera_from_gl();
 
 bool is_orthographic(const Eigen::Matrix4d& projection);
 
-/// How far the frustum's middle is left of and below the axis of sight, in half widths and heights.
+/// How far the frustum's centre is left of and below the viewing axis, in half widths and heights.
 /// Tile c of n has n - 1 - 2c, an integer.
 Eigen::Vector2d frustum_offset(const Eigen::Matrix4d& projection);
 
@@ -63,8 +63,8 @@ std::optional<Eigen::Vector3d> direction_in_mesh(const Eigen::Vector3d& directio
                                                  const Eigen::Matrix4d& modelview,
                                                  const Eigen::Matrix4d& layer);
 
-/// How much larger than the view a picture is that MeshLab composes of tiles. A tile fills the view
-/// with part of the camera's frustum, so lengths in pixels have to grow with the picture.
+/// The size, in views, of a picture that MeshLab composes of tiles. A tile fills the view with part
+/// of the camera's frustum, so lengths in pixels have to grow with the picture.
 class SnapshotTiles {
 public:
     /// Tiles in a row of the picture, 1 if this is no tile. Call it at every redraw: earlier tiles

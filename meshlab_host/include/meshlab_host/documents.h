@@ -10,7 +10,7 @@
 namespace meshlab_host {
 
 /// MeshLab's GUI state for the document of `mesh`: the document and its layers' render settings.
-/// Null without a GUI. Decorations are not handed it.
+/// Null without a GUI. MeshLab does not pass it to decorations.
 MLSceneGLSharedDataContext* scene_of(const MeshModel& mesh);
 
 /// For a document that exists.
@@ -34,9 +34,9 @@ void when_meshes_change(const MeshDocument* document, QObject* receiver,
 void write_on_view(GLLogStream& log, const QString& title, const QString& mesh,
                    const QString& text);
 
-/// Puts these parameters into MeshLab's record of a filter that its dialog has run, once MeshLab
-/// has made it: scripts that are saved have them. The last thing that the filter does, since
-/// progress runs MeshLab's events.
+/// Replaces the parameters in MeshLab's record of a filter that its dialog has run, once that
+/// exists, so that saved scripts have them. Call it last in the filter, since progress runs
+/// MeshLab's events.
 void record_as(const QString& filter, const RichParameterList& parameters, MeshDocument& document);
 
 }  // namespace meshlab_host

@@ -15,7 +15,7 @@ using KindColors = std::array<QRgb, laplacian_lines::kLineKindCount>;
 
 KindColors usual_kind_colors();
 
-/// What the decoration draws, for filters that follow it.
+/// The settings of the decoration, for filters that use them.
 struct DrawnStyle {
     laplacian_lines::LineStyle style;
     std::optional<double> light_azimuth;  ///< see towards_light(); without one it is at the eye

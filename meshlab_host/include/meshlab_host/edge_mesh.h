@@ -17,7 +17,7 @@ namespace meshlab_host {
 /// and as quality weight times opacity, the point's ink.
 void to_edge_mesh(const laplacian_lines::LineSet& lines, CMeshO& mesh);
 
-/// By the kinds of the lines.
+/// Colors vertices by the kind of their line.
 void set_colors(const laplacian_lines::LineSet& lines, const KindColors& colors, CMeshO& mesh);
 
 /// The surface's normals at its nearest vertices. MeshLab lights points by them; without normals

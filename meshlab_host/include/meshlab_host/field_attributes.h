@@ -19,8 +19,8 @@ struct FieldRecord {
     std::uint32_t layout = current_layout;
     std::uint32_t columns = 0;  ///< bit i: the field had the column of row i
     GeometryStamp stamp;        ///< of the mesh that the field was computed from
-    /// A hash of the values: when a file is reloaded MeshLab keeps the record, and keeps the values
-    /// in whatever order edits have left them, or empties them.
+    /// A hash of the values: when a file is reloaded MeshLab keeps the record, but keeps the values
+    /// in whatever order edits have left them, or clears them.
     std::uint64_t content = 0;
     laplacian_lines::PrecomputeOptions options;
     laplacian_lines::FieldScale scale;
@@ -31,7 +31,7 @@ enum class FieldStatus {
     Current,
     Missing,    ///< never computed, or MeshLab has dropped or mixed up part of it
     Stale,      ///< the mesh has changed since
-    WrongType,  ///< somebody else's attribute has one of the names
+    WrongType,  ///< another program's attribute has one of the names
 };
 
 /// For the log, after the name of a mesh; empty if there is nothing remarkable.
@@ -43,7 +43,7 @@ QString field_attribute_names(const laplacian_lines::Field& field);
 /// `now` is geometry_stamp(mesh).
 FieldStatus field_status(const CMeshO& mesh, const GeometryStamp& now);
 
-/// If there is one that this build understands.
+/// None if there is none of this version.
 std::optional<FieldRecord> read_field_record(const CMeshO& mesh);
 
 /// By live index (see mesh_conversion.h); empty unless field_status() is Current.

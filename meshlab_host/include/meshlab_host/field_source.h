@@ -11,7 +11,7 @@
 
 namespace meshlab_host {
 
-/// Decides the field of a mesh: equal keys, equal fields, in whatever layer, apart from
+/// Identifies the field of a mesh: equal keys mean equal fields, in whatever layer, apart from
 /// derivatives.
 struct FieldKey {
     GeometryStamp stamp;
@@ -20,7 +20,8 @@ struct FieldKey {
     bool operator<(const FieldKey& other) const;
 };
 
-/// The mesh's attributes if they are current, otherwise a computation with the defaults.
+/// Where a field comes from: the mesh's attributes if they are current, else precompute() with the
+/// defaults.
 struct FieldSource {
     FieldKey key;
     FieldStatus status;
@@ -29,9 +30,9 @@ struct FieldSource {
 FieldSource field_source(const CMeshO& mesh);
 FieldSource with_derivatives(FieldSource source);
 
-/// The field by live index. Computing takes seconds for a million triangles, and `say` is told.
-/// Does not change the mesh; `triangles` is its to_triangle_mesh(). @throws laplacian_lines::Error,
-/// std::bad_alloc
+/// Reads the field or computes it, which takes seconds for a million triangles and is logged by
+/// `say`. By live index. Does not change the mesh; `triangles` is its to_triangle_mesh().
+/// @throws laplacian_lines::Error, std::bad_alloc
 laplacian_lines::Field demand_field(const CMeshO& mesh,
                                     const laplacian_lines::TriangleMesh& triangles,
                                     const QString& mesh_name, const FieldSource& source,

@@ -51,9 +51,9 @@ struct Filter {
 };
 using FilterList = std::vector<Filter>;
 
-/// Passes the core's reports on to MeshLab's callback (percent and text; false cancels), which may
-/// be null, as the part from `begin` to `end` (0..1). It runs the GUI's event loop: the document
-/// may have changed when it returns.
+/// Passes the core's progress to MeshLab's callback (percent and text; false cancels), which may be
+/// null, as the part from `begin` to `end` (0..1). It runs the GUI's event loop: the document may
+/// have changed when it returns.
 inline laplacian_lines::Progress progress_to(vcg::CallBackPos* callback, double begin = 0,
                                              double end = 1) {
     if (!callback) return {};
@@ -82,7 +82,7 @@ private:
         return filters_.at(std::size_t(ID(action)));
     }
     void say(const QString& line);
-    /// Runs a filter; returns an exception's sentence, or nothing.
+    /// Runs a filter; returns the message of an exception, or nothing.
     QString run_catching_all(const Filter& filter, MeshDocument& document,
                              const RichParameterList& parameters, vcg::CallBackPos* progress,
                              FilterResults& results);

@@ -11,8 +11,8 @@ struct LayerDrawing {
     double mark_pixels = 0;  ///< diameter of points or width of wires, the larger one; 0: none
 };
 
-/// In the view being redrawn, whose context is current and as MeshLab calls decorations. If
-/// unknown, points of the usual size without faces, the safe assumption.
+/// How MeshLab draws a layer in the view being redrawn, called from a decoration. If unknown, as
+/// points of the default size without faces, the safe assumption.
 LayerDrawing layer_drawing(const MeshModel& mesh);
 
 /// Shows a layer of edges as thin lines in vertex colors; MeshLab would put dots on vertices and

@@ -6,9 +6,8 @@
 
 namespace meshlab_host {
 
-// Dialogs, scripts and settings from tables of options: a MeshLab parameter per row, named by its
-// key, after a prefix. MeshLab's numbers are floats; they are read back as the shortest decimal, so
-// that 0.07 stays 0.07.
+// MeshLab parameters from tables of options: one per row, named by a prefix and its key. MeshLab's
+// numbers are floats; they are read back as the shortest decimal, so that 0.07 stays 0.07.
 
 /// Help, HTML without paragraphs, so that MeshLab wraps it in a tool tip.
 QString tool_tip(const QString& help);

@@ -6,8 +6,8 @@
 
 namespace meshlab_host {
 
-/// Tells that MeshLab's next redraw is of a snapshot, which no redraw of one tile says itself. GUI
-/// thread only.
+/// Watches MeshLab's snapshot dialog: the next redraw is that of a snapshot, which a snapshot of
+/// one tile does not show otherwise. GUI thread only.
 class SnapshotDialog : public QObject {
 public:
     SnapshotDialog();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// drawing_truth [--check] [--pictures FOLDER] FILE.part...
-// Holds measured drawings of CAD parts against their exact visible lines and against what their
-// meshes cover; --check fails where they are less true than they have to be.
+// drawing_truth [--check] [--pictures FOLDER] FILE.part... Compares measured drawings of CAD parts
+// with their exact visible lines and with the silhouettes of their meshes; --check fails if they
+// are worse than the limits below.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdio>
@@ -18,11 +18,11 @@ using namespace benchmarks;
 
 constexpr double kTolerance = 0.25;       // mm
 constexpr double kFineDeflection = 0.1;   // up to this one, a mesh has no tolerance of its own
-constexpr double kCoverTolerance = 0.15;  // mm, from the border of what the mesh itself covers
+constexpr double kCoverTolerance = 0.15;  // mm, from the silhouette of the mesh itself
 constexpr double kLeastJump = 0.5;        // mm of depth
 constexpr std::size_t kWorstCount = 10;
 
-// What --check demands of all drawings of meshes of one deflection.
+// Limits of --check, for all drawings of meshes of one deflection.
 constexpr double kLeastRecall = 0.995, kLeastPrecision = 0.998;  // means of the drawings
 constexpr double kMostLoose = 0.025;
 constexpr double kMostBareBorder = 1e-4, kMostBareJumps = 0.015;
@@ -31,8 +31,8 @@ struct Drawing {
     std::string name, deflection;
     PlaneLines lines;
     TruthScores scores;
-    PlaneLine border, jumps;            ///< of what the mesh covers
-    PlaneLine bare_border, bare_jumps;  ///< of it, without a line
+    PlaneLine border, jumps;            ///< places of silhouette and depth jumps
+    PlaneLine bare_border, bare_jumps;  ///< those without a line
 
     double worst() const { return std::min(scores.recall, scores.precision); }
 };

@@ -10,10 +10,10 @@ namespace benchmarks {
 namespace {
 
 constexpr std::uint32_t kNothing = 0xffffffff;
-constexpr double kSeenFromEdge = 0.05;  // pixels, of the height of a triangle
+constexpr double kSeenFromEdge = 0.05;  // pixels: height of triangles that count as seen edge-on
 constexpr int kMargin = 2;              // pixels of background all around
 
-/// Of a triangle, along x, at a height of the picture.
+/// The interval of x in a triangle at a height of the picture.
 std::pair<double, double> span_at(double y, const Eigen::Matrix3d& corners) {
     double left = std::numeric_limits<double>::infinity(), right = -left;
     for (int i = 0; i < 3; ++i) {

@@ -36,7 +36,7 @@ struct NearPlace {
     double along = 0;      ///< from the line's begin, mm
 };
 
-/// In a grid with cells as wide as the distance asked for.
+/// Finds segments near a point, by a grid with cells as wide as the distance.
 class NearSegments {
 public:
     NearSegments(const PlaneLines& lines, double reach);
@@ -119,8 +119,8 @@ inline PlanePoint project(const Eigen::Vector3d& p, const line_drawing::ViewFram
 std::vector<PlaneLines> drawings_of(const laplacian_lines::TriangleMesh& mesh,
                                     const std::vector<line_drawing::ViewFrame>& frames);
 
-/// For each pixel, the number of the triangle in front: what a drawing has to go around, found in
-/// another way than its lines.
+/// For each pixel, the number of the triangle in front: the silhouette and depth jumps,
+/// independently of the drawing's lines.
 class ItemBuffer {
 public:
     static constexpr double kPixelsPerMm = 20;
@@ -138,7 +138,7 @@ private:
     /// Depth of a triangle, towards the viewer: at pixel (0, 0), and per pixel.
     struct Plane {
         double at_origin = 0, by_x = 0, by_y = 0;
-        bool is_known = false;  ///< not of what is seen from its edge
+        bool is_known = false;  ///< false for triangles seen edge-on
         double at(double x, double y) const { return at_origin + by_x * x + by_y * y; }
     };
 
@@ -154,10 +154,10 @@ private:
     std::vector<Plane> planes_;  ///< by triangle
 };
 
-/// Those without a line within `tolerance` mm.
+/// The places without a line within `tolerance` mm.
 PlaneLine bare_places(const PlaneLine& places, const PlaneLines& drawing, double tolerance);
 
-/// Of one drawing; lengths in mm.
+/// Scores of one drawing; lengths in mm.
 struct TruthScores {
     double recall = 1;         ///< the share of the exact lines that is drawn
     double precision = 1;      ///< the share of the drawing that is near an exact line

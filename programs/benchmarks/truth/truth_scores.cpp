@@ -23,8 +23,8 @@ NearSegments::NearSegments(const PlaneLines& lines, double reach) : reach_(reach
     }
 }
 
-/// Into the cells of its ends, in pieces shorter than a cell: cells around a point then have all
-/// within reach.
+/// Adds pieces shorter than a cell to the cells of their ends, so that the cells around a point
+/// have all within reach.
 void NearSegments::add(const Segment& segment) {
     const auto number = std::uint32_t(segments_.size());
     segments_.push_back(segment);
@@ -46,10 +46,10 @@ constexpr double kStep = 0.1;             // mm, of the pieces that are looked a
 constexpr double kClosingGap = 0.01;      // mm, between the ends of what counts as closed
 constexpr double kJointGap = 0.05;        // mm, within which an end is at another path
 constexpr double kTrueEndGap = 0.5;       // mm, within which an end is that of an exact line
-constexpr double kOwnNeighbourhood = 1;   // mm of a path beside its end that are no other line
+constexpr double kOwnNeighbourhood = 1;   // mm of a path at its end that do not count as another
 constexpr double kLeastCosine = 0.93969;  // of 20 degrees, between lines that run side by side
 
-/// Of the lines, by length, what is within the tolerance of the others; `far` gets the rest.
+/// The share of the lines' length within the tolerance of the others; `far` gets the rest.
 double share_near(const PlaneLines& lines, const PlaneLines& others, double tolerance,
                   PlaneLines& far) {
     const NearSegments near(others, tolerance);
@@ -84,8 +84,8 @@ bool ends_alike(const PlaneLine& line, double along, const PlanePoint& way) {
            (is_last && way_back(line, true).dot(way) >= kLeastCosine);
 }
 
-/// Ends of exact lines that nothing continues: others that end there run back beside them, as at
-/// the tips of a circle seen nearly edge-on, which pens draw as one line.
+/// Ends of exact lines that no other line continues: lines that end there run back beside them, as
+/// at the tips of a circle seen nearly edge-on, which pens draw as one line.
 PlaneLine true_ends(const PlaneLines& exact) {
     const NearSegments near(exact, kJointGap);
     PlaneLine ends;

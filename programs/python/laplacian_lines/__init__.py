@@ -14,7 +14,7 @@ or PyMeshLab; or the name of a PLY, STL, OBJ or OFF file. Lengths are in the mes
     strokes(mesh, direction=...)       the strokes of a drawing of the view, in space
     write_drawing(file, mesh, ...)     a measured drawing: views at scale on paper, as SVG, PDF, DXF or PNG
     make_drawing(mesh, ...)            the same, not written
-    Surface(mesh)                      a mesh made ready once, for many views: surface.visible_lines(eye=...)
+    Surface(mesh)                      a mesh prepared once, for many views: surface.visible_lines(eye=...)
 
 Options are keyword arguments, which help() of each function lists with defaults and limits. What cannot be used raises Error,
 a ValueError, or TypeError, and says what can. Computing runs on as many threads as the environment variable

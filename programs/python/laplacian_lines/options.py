@@ -22,7 +22,7 @@ _Function = TypeVar("_Function", bound=Callable[..., Any])
 def takes(*tables: dict[str, dict[str, Any]], told: str = "") -> Callable[[_Function], _Function]:
     """Shows the options of these tables in the signature and the docstring of a function that takes them as **options.
 
-    With `told`, the docstring names that place instead of telling what they do.
+    With `told`, the docstring refers to that function instead of describing them.
     """
     rows = [row for table in tables for row in table.values()]
 

@@ -29,7 +29,7 @@ Vector = NDArray[numpy.float64]
 
 @dataclasses.dataclass(frozen=True)
 class Page:
-    """The plane of a picture: how points of space come to lie on it."""
+    """The plane of a picture, and the projection to it."""
 
     right: Vector  #: (3,), unit
     up: Vector  #: (3,), unit

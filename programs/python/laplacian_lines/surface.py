@@ -35,7 +35,7 @@ Kinds = str | Iterable[str] | None
 
 
 class Surface:
-    """A mesh with its field, made ready once for many views.
+    """A mesh with its field, prepared once for many views.
 
     `mesh` is what as_arrays() takes. The options, those of the field, and all computing are the core's, which runs on
     several threads, without Python's lock: other threads go on, and may use the same Surface. Ctrl-C ends it.
@@ -57,11 +57,10 @@ class Surface:
         """Of the whole mesh, by name.
 
         In its unit: diagonal (of the bounding box), mean_edge, kernel_size √h and normal_sigma (of smoothing), as they were
-        used. Without unit: roughness (of clean meshes 0). Numbers of what was left out: non_finite_vertices,
-        unreferenced_vertices, degenerate_triangles; of welded_vertices; of turned_triangles, which faced inwards or unlike
-        their neighbours and are read the right way round: normals are those of the mesh that results; and
-        undone_subdivisions, how often all triangles had been cut in four at the middles of their sides: fields and lines
-        are those of the mesh before.
+        used. Without unit: roughness (of clean meshes 0). Counts of what was dropped: non_finite_vertices,
+        unreferenced_vertices, degenerate_triangles. Counts of repairs: welded_vertices; turned_triangles, whose orientation
+        was reversed because they faced inwards or unlike their neighbours; undone_subdivisions, midpoint subdivisions (all
+        triangles cut in four at the middles of their sides). Fields and lines are those of the repaired mesh.
         """
         return self._core.measures()
 
