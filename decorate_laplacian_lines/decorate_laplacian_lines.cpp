@@ -94,14 +94,14 @@ LayerInView layer_in_view(const MeshModel& mesh, const PreparedLines& lines,
     layer.placement.to_eye = camera.modelview * transform;
     layer.placement.projection = camera.projection;
     layer.placement.diagonal = lines.diagonal;
-    layer.placement.sight_edge = lines.sight_edge;
+    layer.placement.depth_bias_edge = lines.depth_bias_edge;
     layer.placement.mark_pixels = shown.mark_pixels;
     return layer;
 }
 
 /// Whether derivatives have not been computed yet.
 bool is_without_derivatives(const PreparedLines& lines) {
-    return lines.extractor && !lines.has_derivatives && lines.lack.isEmpty();
+    return lines.extractor && !lines.has_derivatives && lines.missing_reason.isEmpty();
 }
 
 }  // namespace
@@ -131,15 +131,15 @@ bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList& par
     QString refusal;
     try {
         const bool needs_derivatives = valid.chosen.style.shows.needs_derivatives();
-        refusal = demand_lines(mesh, view, needs_derivatives)->failure;
+        refusal = find_or_prepare_lines(mesh, view, needs_derivatives)->failure;
     } catch (const std::exception& error) {
         refusal = QString::fromUtf8(error.what());
     }
     if (refusal.isEmpty()) return true;
     const MeshDocument* document = meshlab_host::document_of(mesh);
     const GLLogStream* log = document ? &document->Log : nullptr;
-    complaints_.erase({log, int(mesh.id())});  // log it each time that it is switched on
-    complain(mesh, log, refusal);
+    logged_refusals_.erase({log, int(mesh.id())});  // log it each time that it is switched on
+    log_refusal(mesh, log, refusal);
     return false;
 }
 
@@ -154,18 +154,18 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
         const bool needs_derivatives = valid.chosen.style.shows.needs_derivatives();
         PreparedLinesPointer lines = current_lines(mesh, view, painter);
         if (!lines || (needs_derivatives && is_without_derivatives(*lines)))
-            lines = demand_lines(mesh, view, needs_derivatives);
+            lines = find_or_prepare_lines(mesh, view, needs_derivatives);
         if (lines->failure.isEmpty())
             text = draw_lines(mesh, lines, valid.chosen, view, painter, clock);
-        const QString& lack = needs_derivatives ? lines->lack : QString();
-        complaints += QStringList{lines->failure, lack};
+        const QString& missing_reason = needs_derivatives ? lines->missing_reason : QString();
+        complaints += QStringList{lines->failure, missing_reason};
     } catch (const std::exception& error) {
         complaints << QString::fromUtf8(error.what());
     }
     complaints.removeAll({});
     const QString refusal = complaints.join(" ");
-    complain(mesh, &log, refusal);
-    tell_of_new_layers(mesh, view);
+    log_refusal(mesh, &log, refusal);
+    log_new_layers(mesh, view);
     const QString& message = refusal.isEmpty() ? text : refusal;
     if (!message.isEmpty()) meshlab_host::write_on_view(log, kTitle, mesh.label(), message);
 }
@@ -179,7 +179,7 @@ void DecorateLaplacianLines::end_all(GLArea* view) {
     cache_.release_view(view);
     prints_.forget(view);
     drawing_.forget(view);
-    complaints_.clear();  // a new document may get the address of the old
+    logged_refusals_.clear();  // a new document may get the address of the old
 }
 
 void DecorateLaplacianLines::mesh_gone(GLArea* view) {
@@ -187,8 +187,8 @@ void DecorateLaplacianLines::mesh_gone(GLArea* view) {
     prints_.forget(view);
 }
 
-PreparedLinesPointer DecorateLaplacianLines::demand_lines(MeshModel& mesh, GLArea* view,
-                                                          bool needs_derivatives) {
+PreparedLinesPointer DecorateLaplacianLines::find_or_prepare_lines(MeshModel& mesh, GLArea* view,
+                                                                   bool needs_derivatives) {
     if (const MeshDocument* document = meshlab_host::document_of(mesh))
         cache_.release_all_but(view, meshlab_host::layer_ids(*document));
     const meshlab_host::FieldSource source = meshlab_host::field_source(mesh.cm);
@@ -198,8 +198,8 @@ PreparedLinesPointer DecorateLaplacianLines::demand_lines(MeshModel& mesh, GLAre
                              needs_derivatives ? with_derivatives(source) : source, say_line);
     };
     PreparedLinesPointer lines = cache_.find(source.key);
-    if (!lines || lines->lacked_memory) lines = prepare();
-    if (lines->lacked_memory && kept_.drop()) lines = prepare();
+    if (!lines || lines->is_out_of_memory) lines = prepare();
+    if (lines->is_out_of_memory && kept_.drop()) lines = prepare();
     if (needs_derivatives && lines->extractor && !lines->has_derivatives) {
         prints_.interrupt();  // its thread may read the extractor
         add_derivatives(*lines, mesh.cm, mesh.label(), source, say_line);
@@ -225,7 +225,7 @@ void DecorateLaplacianLines::keep(const MeshModel& mesh, const PreparedLinesPoin
     kept_.keep(document, mesh.id(), lines);
 }
 
-void DecorateLaplacianLines::tell_of_new_layers(const MeshModel& mesh, GLArea* view) {
+void DecorateLaplacianLines::log_new_layers(const MeshModel& mesh, GLArea* view) {
     const MeshDocument* document = meshlab_host::document_of(mesh);
     const auto known = known_layers_.find(document);
     if (known == known_layers_.end()) return;
@@ -254,7 +254,7 @@ std::shared_ptr<PrintedScene> DecorateLaplacianLines::printed_scene(const MeshMo
     std::vector<const MeshModel*> layers = {&mesh};
     if (const MeshDocument* document = meshlab_host::document_of(mesh))
         layers = meshlab_host::layers_of(*document);
-    std::vector<PlacedMesh> placed;
+    std::vector<LayerInScene> placed;
     PreparedLinesPointer first;
     std::size_t triangles = 0;
     for (const MeshModel* layer : layers) {
@@ -296,9 +296,9 @@ std::optional<PrintedView> DecorateLaplacianLines::printed_view(const MeshModel&
     return PrintedView{scene, to_eye, projection, *window, chosen};
 }
 
-Print DecorateLaplacianLines::demand_print(const MeshModel& mesh, GLArea* view,
-                                           const DecorationParameters& chosen,
-                                           const LayerInView& layer, int tiles) {
+Print DecorateLaplacianLines::request_print(const MeshModel& mesh, GLArea* view,
+                                            const DecorationParameters& chosen,
+                                            const LayerInView& layer, int tiles) {
     const auto printed = printed_view(mesh, view, chosen, layer, tiles);
     if (!printed) {
         prints_.forget(view);
@@ -306,8 +306,9 @@ Print DecorateLaplacianLines::demand_print(const MeshModel& mesh, GLArea* view,
     }
     const bool waits = snapshot_dialog_.has_closed() || tiles > 1 ||
                        (layer.widget && layer.widget->property(waits_property).toBool());
-    Print print = prints_.demand(view, layer.widget, *printed, waits);
-    if (!print.lack.isEmpty()) say(QString("%1: %2: %3").arg(kTitle, mesh.label(), print.lack));
+    Print print = prints_.request(view, layer.widget, *printed, waits);
+    if (!print.missing_reason.isEmpty())
+        say(QString("%1: %2: %3").arg(kTitle, mesh.label(), print.missing_reason));
     return print;
 }
 
@@ -330,7 +331,7 @@ QString DecorateLaplacianLines::draw_lines(const MeshModel& mesh, const Prepared
     const MeshDocument* document = meshlab_host::document_of(mesh);
     if (layer.is_first && document) layer.shown = meshlab_host::layer_ids(*document, true);
     if (layer.is_first)
-        print_ = demand_print(mesh, view, chosen, layer, tiles);
+        print_ = request_print(mesh, view, chosen, layer, tiles);
     else if (print_.picture && layer.widget && printed_scene(mesh, view) != prints_.scene_of(view))
         layer.widget->update();  // this layer's lines have been prepared meanwhile
     if (print_.picture) {
@@ -350,9 +351,9 @@ QString DecorateLaplacianLines::draw_lines(const MeshModel& mesh, const Prepared
     return statistics(lines_, clock, lines->preparation + *lines->first_redraw);
 }
 
-void DecorateLaplacianLines::complain(const MeshModel& mesh, const GLLogStream* log,
-                                      const QString& refusal) {
-    QString& last = complaints_[{log, int(mesh.id())}];
+void DecorateLaplacianLines::log_refusal(const MeshModel& mesh, const GLLogStream* log,
+                                         const QString& refusal) {
+    QString& last = logged_refusals_[{log, int(mesh.id())}];
     if (!refusal.isEmpty() && refusal != last)
         say(QString("%1: %2: %3").arg(kTitle, mesh.label(), refusal));
     last = refusal;

@@ -37,7 +37,8 @@ private:
     /// Values out of range stay as they were last time.
     ValidParameters valid_parameters(const RichParameterList& parameters);
     /// Lines of the mesh's present geometry, found or prepared and assigned to the view.
-    PreparedLinesPointer demand_lines(MeshModel& mesh, GLArea* view, bool needs_derivatives);
+    PreparedLinesPointer find_or_prepare_lines(MeshModel& mesh, GLArea* view,
+                                               bool needs_derivatives);
     /// The view's lines if they still belong to the mesh, as far as that is checked while the
     /// camera moves; else null.
     PreparedLinesPointer current_lines(const MeshModel& mesh, GLArea* view, QPainter* painter);
@@ -52,13 +53,13 @@ private:
                                             const DecorationParameters& chosen,
                                             const LayerInView& layer, int tiles) const;
     /// Empty if there is none yet, or cannot be; logs the reason.
-    Print demand_print(const MeshModel& mesh, GLArea* view, const DecorationParameters& chosen,
-                       const LayerInView& layer, int tiles);
+    Print request_print(const MeshModel& mesh, GLArea* view, const DecorationParameters& chosen,
+                        const LayerInView& layer, int tiles);
     /// Logs why a mesh has no lines, once, or remembers that it has; `log` is its document's.
-    void complain(const MeshModel& mesh, const GLLogStream* log, const QString& refusal);
+    void log_refusal(const MeshModel& mesh, const GLLogStream* log, const QString& refusal);
 
     /// Logs once, for each layer that was added after the lines of others, why it has none.
-    void tell_of_new_layers(const MeshModel& mesh, GLArea* view);
+    void log_new_layers(const MeshModel& mesh, GLArea* view);
     /// Caches lines while the mesh and its document live and memory allows.
     void keep(const MeshModel& mesh, const PreparedLinesPointer& lines);
 
@@ -70,7 +71,7 @@ private:
     std::map<const MeshDocument*, std::set<int>>
         known_layers_;  ///< of the documents that are watched
     /// The last message about meshes without lines, by log, which is never dereferenced, and mesh.
-    std::map<std::pair<const GLLogStream*, int>, QString> complaints_;
+    std::map<std::pair<const GLLogStream*, int>, QString> logged_refusals_;
     meshlab_host::SnapshotDialog snapshot_dialog_;
     meshlab_host::SnapshotTiles tiles_;
     ViewDrawing drawing_;

@@ -90,7 +90,7 @@ std::size_t KeptLines::usual_bytes() {
 void KeptLines::keep(Document document, int mesh, PreparedLinesPointer lines) {
     entries_.remove_if(
         [=](const Entry& entry) { return entry.document == document && entry.mesh == mesh; });
-    if (lines->lacked_memory) return;
+    if (lines->is_out_of_memory) return;
     entries_.push_front({document, mesh, std::move(lines)});
     while (bytes() > most_bytes_)
         entries_.pop_back();

@@ -47,9 +47,9 @@ PreparedLinesPointer prepare_lines(const CMeshO& mesh, const QString& mesh_name,
     try {
         const WaitCursor wait_cursor;
         TriangleMesh triangles = meshlab_host::to_triangle_mesh(mesh);
-        Field field = meshlab_host::demand_field(mesh, triangles, mesh_name, source, say);
+        Field field = meshlab_host::find_or_compute_field(mesh, triangles, mesh_name, source, say);
         result->diagonal = field.scale.diagonal;
-        result->sight_edge = laplacian_lines::sight_edge(field);
+        result->depth_bias_edge = laplacian_lines::depth_bias_edge(field);
         result->surface = line_renderer::make_surface(triangles, field);
         result->extractor = std::make_shared<laplacian_lines::LineExtractor>(triangles, field);
         result->has_derivatives = field.has_derivatives();
@@ -64,7 +64,7 @@ PreparedLinesPointer prepare_lines(const CMeshO& mesh, const QString& mesh_name,
         result->bytes = bytes_of(*result);
     } catch (const std::bad_alloc&) {
         result->failure = "There is not enough memory for the lines of this mesh.";
-        result->lacked_memory = true;
+        result->is_out_of_memory = true;
     } catch (const std::exception& error) {
         result->failure = QString::fromUtf8(error.what());
     }
@@ -81,22 +81,22 @@ void add_derivatives(PreparedLines& lines, const CMeshO& mesh, const QString& me
         const WaitCursor wait_cursor;
         const TriangleMesh triangles = meshlab_host::to_triangle_mesh(mesh);
         if (lines.field)
-            meshlab_host::demand_derivatives(triangles, *lines.field);
+            meshlab_host::ensure_derivatives(triangles, *lines.field);
         else
-            lines.field = meshlab_host::demand_field(mesh, triangles, mesh_name,
-                                                     meshlab_host::with_derivatives(source), say);
+            lines.field = meshlab_host::find_or_compute_field(
+                mesh, triangles, mesh_name, meshlab_host::with_derivatives(source), say);
         lines.extractor->add_derivatives(triangles, *lines.field);
         lines.field.reset();
         lines.has_derivatives = true;
-        lines.lack.clear();
+        lines.missing_reason.clear();
         lines.bytes = bytes_of(lines);
         say(QString("Laplacian Lines: %1: computed in %2 s what the chosen kinds of lines also "
                     "need")
                 .arg(mesh_name)
                 .arg(1e-3 * double(clock.elapsed()), 0, 'f', 2));
     } catch (const std::bad_alloc&) {
-        lines.lack = "There is not enough memory for some of the chosen kinds of lines.";
+        lines.missing_reason = "There is not enough memory for some of the chosen kinds of lines.";
     } catch (const std::exception& error) {
-        lines.lack = QString::fromUtf8(error.what());
+        lines.missing_reason = QString::fromUtf8(error.what());
     }
 }

@@ -16,15 +16,15 @@ struct PrintableMesh;
 /// A mesh ready for line extraction, or why it is not.
 struct PreparedLines {
     meshlab_host::FieldKey key;
-    double diagonal = 0;    ///< of the usable mesh's bounding box, mesh units
-    double sight_edge = 0;  ///< as sight_edge() has it, mesh units
+    double diagonal = 0;         ///< of the usable mesh's bounding box, mesh units
+    double depth_bias_edge = 0;  ///< as depth_bias_edge() has it, mesh units
     std::shared_ptr<laplacian_lines::LineExtractor> extractor;
     line_renderer::SurfacePointer surface;        ///< set if there is an extractor
     QString failure;                              ///< one sentence, empty if there is an extractor
-    bool lacked_memory = false;                   ///< the failure: another try may succeed
+    bool is_out_of_memory = false;                ///< the failure: another try may succeed
     std::size_t bytes = 0;                        ///< of all members
     bool has_derivatives = false;                 ///< for kinds of lines that need them
-    QString lack;                                 ///< why they could not be computed
+    QString missing_reason;                       ///< why they could not be computed
     std::optional<laplacian_lines::Field> field;  ///< to compute them from, if it was computed
     std::shared_ptr<PrintableMesh> printable;     ///< null if the mesh is too large
     std::shared_ptr<PrintedScene> scene;          ///< the last one in which it comes first

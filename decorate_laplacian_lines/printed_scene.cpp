@@ -48,15 +48,15 @@ std::vector<ColoredInk> inks_of(const DecorationParameters& chosen) {
     return inks;
 }
 
-PrintedScene::PrintedScene(std::vector<PlacedMesh> layers)
+PrintedScene::PrintedScene(std::vector<LayerInScene> layers)
     : layers_(std::move(layers)), to_world_(layers_.at(0).to_world) {
     if (!meshlab_host::similarity_of(to_world_)) to_world_.setIdentity();
 }
 
-void PrintedScene::place(const Progress& progress) {
-    std::list<Placed> placed;
+void PrintedScene::transform_layers(const Progress& progress) {
+    std::list<TransformedLayer> placed;
     line_drawing::Objects objects;
-    for (const PlacedMesh& layer : layers_) {
+    for (const LayerInScene& layer : layers_) {
         const PrintableMesh& own = *layer.mesh;
         if (layer.to_world == to_world_) {
             objects.push_back(
@@ -64,22 +64,22 @@ void PrintedScene::place(const Progress& progress) {
             continue;
         }
         placed.push_back({own.mesh, own.field});
-        meshlab_host::place(to_world_.inverse() * layer.to_world, own.options, placed.back().mesh,
-                            placed.back().field, progress);
+        meshlab_host::apply_transform(to_world_.inverse() * layer.to_world, own.options,
+                                      placed.back().mesh, placed.back().field, progress);
         objects.push_back(
             {placed.back().mesh, placed.back().field ? &*placed.back().field : nullptr});
     }
-    placed_ = std::move(placed);
+    transformed_ = std::move(placed);
     objects_ = std::move(objects);
 }
 
-void PrintedScene::demand_derivatives(const Progress& progress) {
-    for (Placed& layer : placed_)
-        if (layer.field) meshlab_host::demand_derivatives(layer.mesh, *layer.field, progress);
+void PrintedScene::ensure_derivatives(const Progress& progress) {
+    for (TransformedLayer& layer : transformed_)
+        if (layer.field) meshlab_host::ensure_derivatives(layer.mesh, *layer.field, progress);
 }
 
 void PrintedScene::prepare(const Progress& progress) {
-    if (objects_.empty()) place(progress);
+    if (objects_.empty()) transform_layers(progress);
     if (!painter_) painter_.emplace(objects_);
     painter_->prepare(progress);
 }
@@ -88,7 +88,7 @@ PrintedScene::Picture PrintedScene::paint(const line_drawing::WindowView& window
                                           const DecorationParameters& chosen, bool may_wait,
                                           const Progress& progress) {
     prepare(progress);
-    if (chosen.style.shows.needs_derivatives()) demand_derivatives(progress);
+    if (chosen.style.shows.needs_derivatives()) ensure_derivatives(progress);
     std::vector<line_drawing::Ink> inks;
     for (const ColoredInk& ink : inks_of(chosen))
         inks.push_back(ink.ink);

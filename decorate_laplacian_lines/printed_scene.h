@@ -8,7 +8,7 @@
 #include "laplacian_lines/line_extractor.h"
 #include "line_drawing/view_painter.h"
 #include "line_renderer/picture_renderer.h"
-#include "meshlab_host/placed_mesh.h"
+#include "meshlab_host/mesh_transform.h"
 
 /// A layer, for printed scenes.
 struct PrintableMesh {
@@ -19,11 +19,11 @@ struct PrintableMesh {
     double kernel = 0;                                                ///< its √h, mesh units
 };
 
-struct PlacedMesh {
+struct LayerInScene {
     std::shared_ptr<PrintableMesh> mesh;
     Eigen::Matrix4d to_world;
 
-    bool operator==(const PlacedMesh& other) const {
+    bool operator==(const LayerInScene& other) const {
         return mesh == other.mesh && to_world == other.to_world;
     }
 };
@@ -46,9 +46,9 @@ public:
 
     static constexpr std::size_t most_triangles = 10000000;
 
-    explicit PrintedScene(std::vector<PlacedMesh> layers);
+    explicit PrintedScene(std::vector<LayerInScene> layers);
 
-    bool is_of(const std::vector<PlacedMesh>& layers) const { return layers_ == layers; }
+    bool is_of(const std::vector<LayerInScene>& layers) const { return layers_ == layers; }
     /// From its own coordinates, in which a window looks at it.
     const Eigen::Matrix4d& to_world() const { return to_world_; }
 
@@ -59,17 +59,17 @@ public:
                   bool may_wait, const laplacian_lines::Progress& progress);
 
 private:
-    struct Placed {
+    struct TransformedLayer {
         laplacian_lines::TriangleMesh mesh;
         std::optional<laplacian_lines::Field> field;
     };
 
-    void place(const laplacian_lines::Progress& progress);
-    void demand_derivatives(const laplacian_lines::Progress& progress);
+    void transform_layers(const laplacian_lines::Progress& progress);
+    void ensure_derivatives(const laplacian_lines::Progress& progress);
 
-    const std::vector<PlacedMesh> layers_;
+    const std::vector<LayerInScene> layers_;
     Eigen::Matrix4d to_world_;
-    std::list<Placed> placed_;  ///< copies of layers with other transformations
+    std::list<TransformedLayer> transformed_;  ///< copies of layers with other transformations
     line_drawing::Objects objects_;
     std::optional<line_drawing::ViewPainter> painter_;
 };

@@ -63,7 +63,7 @@ PrintedViews::~PrintedViews() {
     stop();
 }
 
-Print PrintedViews::demand(View view, QWidget* widget, const PrintedView& wanted, bool waits) {
+Print PrintedViews::request(View view, QWidget* widget, const PrintedView& wanted, bool waits) {
     const auto [place, is_new] = entries_.try_emplace(view);
     Entry& entry = place->second;
     entry.widget = widget;
@@ -89,7 +89,7 @@ Print PrintedViews::demand(View view, QWidget* widget, const PrintedView& wanted
     entry.is_at_rest |= waits || entry.since_change.elapsed() >= kMillisecondsAtRest;
     if (!entry.is_at_rest) return {};
     Print print = entry.print;
-    entry.print.lack.clear();
+    entry.print.missing_reason.clear();
     return print;
 }
 
@@ -121,12 +121,12 @@ void PrintedViews::run(Running& running) noexcept {
         running.print.is_final = painted.is_final;
         running.print.milliseconds = 1e-6 * double(clock.nsecsElapsed());
     } catch (const std::bad_alloc&) {
-        running.print.lack = "There is not enough memory for the printed drawing.";
+        running.print.missing_reason = "There is not enough memory for the printed drawing.";
     } catch (const laplacian_lines::Error& error) {
         if (error.code() != laplacian_lines::ErrorCode::Cancelled)
-            running.print.lack = QString::fromUtf8(error.what());
+            running.print.missing_reason = QString::fromUtf8(error.what());
     } catch (const std::exception& error) {
-        running.print.lack = QString::fromUtf8(error.what());
+        running.print.missing_reason = QString::fromUtf8(error.what());
     }
 }
 
@@ -171,10 +171,10 @@ void PrintedViews::keep(const Running& done) {
     const auto found = entries_.find(done.view);
     if (found == entries_.end() || !(found->second.wanted == done.what)) return;
     Entry& entry = found->second;
-    entry.has_failed = !done.print.lack.isEmpty();
+    entry.has_failed = !done.print.missing_reason.isEmpty();
     if (done.print.picture) entry.print = done.print;
-    if (std::exchange(entry.told, done.print.lack) != done.print.lack)
-        entry.print.lack = done.print.lack;
+    if (std::exchange(entry.logged, done.print.missing_reason) != done.print.missing_reason)
+        entry.print.missing_reason = done.print.missing_reason;
     if (!entry.widget || (!done.print.picture && !entry.has_failed)) return;
     const qint64 left = kMillisecondsAtRest - entry.since_change.elapsed();
     QTimer::singleShot(int(std::max<qint64>(left, 0)), entry.widget,

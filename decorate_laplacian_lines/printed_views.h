@@ -26,7 +26,7 @@ struct Print {
     line_renderer::InkPicturePointer picture;  ///< in the inks of inks_of(); null: none
     bool is_final = false;                     ///< false: another follows, with the right kernel
     double milliseconds = 0;                   ///< time it took
-    QString lack;                              ///< why there is none, told once
+    QString missing_reason;                    ///< why there is none, told once
 };
 
 /// Views as they would be printed: each is drawn in a thread once it has not changed for a while,
@@ -43,7 +43,7 @@ public:
 
     /// The print, if it is ready. Else starts it and returns an empty one; the widget, which may be
     /// null, is redrawn when it is ready or has failed. With `waits` it is drawn now.
-    Print demand(View view, QWidget* widget, const PrintedView& wanted, bool waits);
+    Print request(View view, QWidget* widget, const PrintedView& wanted, bool waits);
     void forget(View view);
     /// The scene of the view's print, if any.
     std::shared_ptr<PrintedScene> scene_of(View view) const;
@@ -57,7 +57,7 @@ private:
         QPointer<QWidget> widget;
         Print print;
         bool has_failed = false, is_at_rest = false;
-        QString told;  ///< why the last one failed
+        QString logged;  ///< why the last one failed
 
         bool is_due() const { return !print.is_final && !has_failed; }
     };

@@ -39,7 +39,7 @@ bool ViewLayers::note(View view, QWidget* widget, int mesh, const SurfaceLayer& 
     const auto [place, is_new] = redraw.layers.try_emplace(mesh);
     Entry& entry = place->second;
     const bool is_expected = !is_new && entry.layer == layer;
-    if (!is_first && !is_expected) redraw.has_surprised = true;
+    if (!is_first && !is_expected) redraw.has_mismatch = true;
     entry = {layer, true};
     if (!end_is_due_) QTimer::singleShot(0, &receiver_, [this] { end_redraws(); });
     end_is_due_ = true;
@@ -57,7 +57,7 @@ void ViewLayers::begin(Redraw& redraw) {
     drop_missing(redraw);
     for (auto& layer : redraw.layers)
         layer.second.is_drawn = false;
-    redraw.is_over = redraw.has_surprised = false;
+    redraw.is_over = redraw.has_mismatch = false;
 }
 
 const std::vector<SurfaceLayer>& ViewLayers::of(View view) {
@@ -78,7 +78,7 @@ void ViewLayers::end_redraws() {
         if (redraw.is_over) continue;
         redraw.is_over = true;
         const bool matters = !are_in_depth_buffer(redraw);
-        const bool was_wrong = drop_missing(redraw) || redraw.has_surprised;
+        const bool was_wrong = drop_missing(redraw) || redraw.has_mismatch;
         if (was_wrong && matters && redraw.widget) redraw.widget->update();
     }
 }

@@ -42,7 +42,7 @@ private:
         std::map<int, Entry> layers;  ///< by mesh
         QPointer<QWidget> widget;
         bool is_over = true;
-        bool has_surprised = false;  ///< a layer had changed after lines were drawn
+        bool has_mismatch = false;  ///< a layer had changed after lines were drawn
     };
 
     static bool are_in_depth_buffer(const Redraw& redraw);

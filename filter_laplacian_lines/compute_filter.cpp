@@ -60,7 +60,7 @@ QString counted(std::size_t count, const char* one, const char* several) {
 }
 
 /// Empty if all was used.
-QString left_out_line(const MeshReport& report) {
+QString dropped_line(const MeshReport& report) {
     QStringList parts;
     if (report.non_finite_vertices)
         parts << counted(report.non_finite_vertices, "vertex with non-finite coordinates",
@@ -121,7 +121,7 @@ QString choices_line(const PrecomputeOptions& options) {
 
 /// Without lines that have nothing to report.
 QStringList compute_report(const Field& field, const PrecomputeOptions& options, double seconds) {
-    QStringList lines{mesh_line(field.report),   left_out_line(field.report),
+    QStringList lines{mesh_line(field.report),   dropped_line(field.report),
                       welded_line(field.report), undone_line(field.report),
                       kernel_line(field.scale),  smoothing_line(field, options),
                       choices_line(options)};

@@ -6,14 +6,14 @@
 #include <QFileInfo>
 
 #include "drawing_parameters.h"
+#include "line_drawing/atomic_file.h"
 #include "line_drawing/make_sheet.h"
 #include "line_drawing/object.h"
 #include "line_drawing/sheet_file.h"
-#include "line_drawing/whole_file.h"
 #include "meshlab_host/current_view.h"
 #include "meshlab_host/documents.h"
 #include "meshlab_host/layer_drawing.h"
-#include "placed_layers.h"
+#include "world_layers.h"
 
 using line_drawing::Sheet;
 using line_drawing::SheetOptions;
@@ -25,34 +25,34 @@ const char* const kFilterName = "Export Laplacian Lines Drawing";
 // Progress at the end of each step.
 constexpr double kFieldShare = 0.05, kSheetShare = 0.98;
 
-Eigen::Vector3d size_of(const PlacedLayers& layers) {
+Eigen::Vector3d size_of(const WorldLayers& layers) {
     Eigen::AlignedBox3d box;
-    for (const PlacedLayer& layer : layers)
+    for (const WorldLayer& layer : layers)
         box.extend(line_drawing::bounds_of(layer.mesh));
     return box.sizes();
 }
 
 /// Name, scale and paper of the drawing, and the size of the object in the chosen unit.
-QString report(const PlacedLayers& layers, const QString& file, const Sheet& sheet,
+QString report(const WorldLayers& layers, const QString& file, const Sheet& sheet,
                const Eigen::Vector3d& size, const SheetOptions& options) {
     return QString(
                "Drawing of %1: %2, %3 on paper of %4 x %5 mm. %6 %7 in size, with %8 mm to the "
                "unit of the mesh.%9")
         .arg(names_of(layers), file,
-             in_qt(sheet.scale > 0 ? "scale " + line_drawing::scale_in_words(sheet.scale)
+             in_qt(sheet.scale > 0 ? "scale " + line_drawing::scale_text(sheet.scale)
                                    : "in perspective and so without a scale"),
              QString::number(sheet.size.x()), QString::number(sheet.size.y()),
              QString(layers.size() > 1 ? "Together the objects are" : "The object is"),
-             in_qt(line_drawing::size_in_words(size, " x ")), QString::number(options.mm_per_unit),
+             in_qt(line_drawing::size_text(size, " x ")), QString::number(options.mm_per_unit),
              sheet.kernel > 0 ? QString(" Inner lines have a kernel of √h = %1 mm on paper.")
-                                    .arg(in_qt(line_drawing::kernel_in_words(sheet.kernel)))
+                                    .arg(in_qt(line_drawing::kernel_text(sheet.kernel)))
                               : QString());
 }
 
 /// Without hashes: a layer may differ from its file.
-std::vector<line_drawing::SourceMesh> meshes_of(const PlacedLayers& layers) {
+std::vector<line_drawing::SourceMesh> meshes_of(const WorldLayers& layers) {
     std::vector<line_drawing::SourceMesh> meshes;
-    for (const PlacedLayer& layer : layers)
+    for (const WorldLayer& layer : layers)
         meshes.push_back({layer.name.toStdString(), {}});
     return meshes;
 }
@@ -64,7 +64,7 @@ QString free_name(const QString& name, const std::vector<line_drawing::SourceMes
     for (int number = 2;; ++number) {
         QFile file(result);
         if (!file.open(QIODevice::ReadOnly) ||
-            !line_drawing::is_of_others(file.readAll().toStdString(), meshes))
+            !line_drawing::is_of_other_meshes(file.readAll().toStdString(), meshes))
             return result;
         result = info.dir().filePath(
             QString("%1_%2.%3").arg(info.completeBaseName()).arg(number).arg(info.suffix()));
@@ -87,11 +87,11 @@ void run(const meshlab_host::FilterRun& run) {
     RichParameterList recorded;
     if (window)
         list_drawing_parameters(for_any_mesh(chosen, *run.document.mm(), *window), recorded);
-    const PlacedLayers layers = place_layers(
+    const WorldLayers layers = copy_layers(
         {chosen.is_of_all_layers, options.style.shows.needs_derivatives()}, run, kFieldShare);
     options.source = names_of(layers).toStdString();
     line_drawing::Words names;
-    for (const PlacedLayer& layer : layers)
+    for (const WorldLayer& layer : layers)
         names.push_back(QFileInfo(layer.name).completeBaseName().toStdString());
     options.title = line_drawing::title_of(options.title, names);
     for (const std::string& remark : line_drawing::check_texts(options, place))
@@ -105,7 +105,7 @@ void run(const meshlab_host::FilterRun& run) {
     sheet.provenance = line_drawing::provenance_text(meshes);
     name = free_name(name, meshes);  // scripts run over a folder
     place = QFile::encodeName(name).toStdString();
-    line_drawing::write_whole(place, write_sheet(sheet, place));
+    line_drawing::write_atomically(place, write_sheet(sheet, place));
     const QString file = QFileInfo(name).absoluteFilePath();
     const Eigen::Vector3d size = options.mm_per_unit * size_of(layers);
     run.say(report(layers, file, sheet, size, options));

@@ -51,7 +51,7 @@ ViewFrame frame_of(const CurrentView& window) {
 }
 
 void take_from_decoration(SheetOptions& options) {
-    const meshlab_host::DrawnStyle drawn = meshlab_host::demand_drawn_style();
+    const meshlab_host::DrawnStyle drawn = meshlab_host::require_drawn_style();
     options.style = line_drawing::style_on_paper(drawn.style);
     if (drawn.light_azimuth) options.light = meshlab_host::towards_light(*drawn.light_azimuth);
 }
@@ -92,7 +92,7 @@ DrawingParameters for_any_mesh(DrawingParameters chosen, const MeshModel& mesh,
                                const CurrentView& window) {
     line_drawing::Words views = line_drawing::words_of(chosen.views);
     for (std::string& view : views)
-        if (line_drawing::lower(view) == kWindowView) view = frame_in_words(frame_of(window));
+        if (line_drawing::lower(view) == kWindowView) view = frame_text(frame_of(window));
     chosen.views = line_drawing::joined(views, " ");
     const QFileInfo file(in_qt(chosen.file));
     QString name = file.fileName();

@@ -19,9 +19,9 @@
 #include "meshlab_host/field_source.h"
 #include "meshlab_host/layer_drawing.h"
 #include "meshlab_host/mesh_conversion.h"
-#include "placed_layers.h"
 #include "polyline_parameters.h"
 #include "polyline_view.h"
+#include "world_layers.h"
 
 using laplacian_lines::Error;
 using laplacian_lines::ErrorCode;
@@ -67,13 +67,13 @@ void refuse_far_vertices(const Source& source) {
 }
 
 /// Of the layer in its own coordinates.
-LineSet line_set_of(std::vector<laplacian_lines::SightLine> lines, const Source& source) {
+LineSet line_set_of(std::vector<laplacian_lines::ViewLine> lines, const Source& source) {
     LineSet set;
     set.origin = line_drawing::bounds_of(source.triangles).center();
     const double diagonal = laplacian_lines::measure_scale(source.triangles, {}).diagonal;
     const Eigen::Affine3d to_layer(source.layer.inverse());
-    for (laplacian_lines::SightLine& line : lines) {
-        for (laplacian_lines::SightPoint& point : line.points)
+    for (laplacian_lines::ViewLine& line : lines) {
+        for (laplacian_lines::ViewLinePoint& point : line.points)
             point.position = to_layer * point.position;
         laplacian_lines::append(line, diagonal, set);
     }
@@ -87,8 +87,8 @@ LineSet strokes(const Source& source, const line_drawing::ViewFrame& frame,
     line_drawing::SheetOptions options;
     options.style = line_drawing::style_on_paper(chosen.style);
     if (chosen.light_azimuth) options.light = meshlab_host::towards_light(*chosen.light_azimuth);
-    const PlacedLayers placed =
-        place_layers({false, options.style.shows.needs_derivatives()}, run, kPlacedShare);
+    const WorldLayers placed =
+        copy_layers({false, options.style.shows.needs_derivatives()}, run, kPlacedShare);
     return line_set_of(line_drawing::strokes_of(
                            objects_of(placed), frame, options,
                            meshlab_host::progress_to(run.progress, kPlacedShare, kStrokesShare)),
@@ -102,9 +102,9 @@ LineSet all_lines(const Source& source, const View& view, const PolylineParamete
     meshlab_host::FieldSource field_source = meshlab_host::field_source(mesh);
     if (chosen.style.shows.needs_derivatives())
         field_source = meshlab_host::with_derivatives(std::move(field_source));
-    const laplacian_lines::Field field =
-        meshlab_host::demand_field(mesh, source.triangles, source.name, field_source, run.say,
-                                   meshlab_host::progress_to(run.progress, 0, kFieldShare));
+    const laplacian_lines::Field field = meshlab_host::find_or_compute_field(
+        mesh, source.triangles, source.name, field_source, run.say,
+        meshlab_host::progress_to(run.progress, 0, kFieldShare));
     refuse_far_vertices(source);
     if (view.w != 0 &&
         laplacian_lines::LineVisibility(
@@ -135,7 +135,7 @@ void add_layer(const LineSet& lines, const Source& source, const meshlab_host::K
 }
 
 /// "12 Laplacian lines, 1 ridge", without kinds that have none.
-QString kinds_in_words(const LineSet& lines) {
+QString kinds_text(const LineSet& lines) {
     std::array<std::size_t, laplacian_lines::kLineKindCount> counts{};
     for (const auto& line : lines.lines)
         ++counts.at(std::size_t(line.kind));
@@ -177,8 +177,8 @@ void run(const meshlab_host::FilterRun& run) {
     meshlab_host::begin_step(run.progress, 1, "Adding a layer");
     add_layer(lines, source, chosen.colors, run.document);
     run.say(QString("Lines of %1: %2, %3 segments; %4")
-                .arg(source.name, kinds_in_words(lines), QString::number(lines.segment_count()),
-                     in_words(frame, chosen)));
+                .arg(source.name, kinds_text(lines), QString::number(lines.segment_count()),
+                     view_text(frame, chosen)));
     const QString warning = nearness_warning(frame, box);
     if (!warning.isEmpty()) run.say(warning);
     add_results(frame, run.results);

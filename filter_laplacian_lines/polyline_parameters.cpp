@@ -34,13 +34,13 @@ const std::vector<laplacian_lines::OptionRow<Parameters>>& table() {
             "From where the lines are seen: as in the window, which scripts do not have; from the "
             "viewpoint or the direction below; or from one side of the object, orthographic, as in "
             "MeshLab's menu: Front looks along -z with y upward."),
-        rows::place(&Parameters::viewpoint, "viewpoint", "Viewpoint", OptionKind::Position,
-                    "Position of the eye, for perspective views. Get: View Pos. takes that of the "
-                    "window."),
-        rows::place(&Parameters::view_direction, "view_direction", "View Direction",
-                    OptionKind::Direction,
-                    "From the object to the viewer, for orthographic views. Get: View Dir. takes "
-                    "that of the window."),
+        rows::vector(&Parameters::viewpoint, "viewpoint", "Viewpoint", OptionKind::Position,
+                     "Position of the eye, for perspective views. Get: View Pos. takes that of the "
+                     "window."),
+        rows::vector(&Parameters::view_direction, "view_direction", "View Direction",
+                     OptionKind::Direction,
+                     "From the object to the viewer, for orthographic views. Get: View Dir. takes "
+                     "that of the window."),
         rows::choice<&Parameters::settings>(
             "settings", "Settings", line_drawing::settings_names({"Defaults", "As the Decoration"}),
             "As the Decoration: lines, hidden lines, light and colors as the decoration Laplacian "
@@ -66,7 +66,7 @@ void take_from_mixture(const laplacian_lines::LineMixture& mixture, Parameters& 
 }
 
 void take_from_decoration(Parameters& parameters) {
-    const meshlab_host::DrawnStyle drawn = meshlab_host::demand_drawn_style();
+    const meshlab_host::DrawnStyle drawn = meshlab_host::require_drawn_style();
     parameters.style = drawn.style;
     parameters.visible_only = !drawn.shows_hidden;
     parameters.light_azimuth = drawn.light_azimuth;

@@ -14,7 +14,7 @@ namespace {
 /// Wider perspective views get a warning.
 constexpr double kWidestAngle = 60;  // degrees
 
-QString in_words(const Eigen::Vector3d& v) {
+QString view_text(const Eigen::Vector3d& v) {
     return QString("%1 %2 %3").arg(v.x(), 0, 'g', 6).arg(v.y(), 0, 'g', 6).arg(v.z(), 0, 'g', 6);
 }
 
@@ -62,11 +62,11 @@ ViewFrame frame_of(const PolylineParameters& chosen, const Eigen::Vector3d& cent
     return side;
 }
 
-QString in_words(const ViewFrame& frame, const PolylineParameters& chosen) {
-    if (frame.eye) return "perspective, from the viewpoint " + in_words(*frame.eye);
+QString view_text(const ViewFrame& frame, const PolylineParameters& chosen) {
+    if (frame.eye) return "perspective, from the viewpoint " + view_text(*frame.eye);
     const bool is_chosen = chosen.view == ViewChoice::Orthographic;
     const QString words = "orthographic, along the view direction " +
-                          in_words(is_chosen ? chosen.view_direction : frame.towards_viewer);
+                          view_text(is_chosen ? chosen.view_direction : frame.towards_viewer);
     return frame.name.empty() ? words
                               : QString("%1 (%2)").arg(words, QString::fromStdString(frame.name));
 }
@@ -102,8 +102,8 @@ QString nearness_warning(const ViewFrame& frame, const Eigen::AlignedBox3d& box)
                "Warning: the viewpoint %1 is %2 of the layer, which reaches from %3 to %4: not "
                "all of it is in sight. Take a viewpoint farther away, or one of the sides as "
                "View, such as Front.")
-        .arg(in_words(viewpoint), is_within ? "within the bounding box" : "close to the box",
-             in_words(box.min()), in_words(box.max()));
+        .arg(view_text(viewpoint), is_within ? "within the bounding box" : "close to the box",
+             view_text(box.min()), view_text(box.max()));
 }
 
 void add_results(const ViewFrame& frame, meshlab_host::FilterResults& results) {

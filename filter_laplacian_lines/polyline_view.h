@@ -18,7 +18,7 @@ line_drawing::ViewFrame frame_of(const PolylineParameters& chosen, const Eigen::
                                  const std::optional<meshlab_host::CurrentView>& window);
 
 /// For the log: "orthographic, along the view direction 0 0 1 (Front)".
-QString in_words(const line_drawing::ViewFrame& frame, const PolylineParameters& chosen);
+QString view_text(const line_drawing::ViewFrame& frame, const PolylineParameters& chosen);
 
 /// In mesh coordinates, with the light. @throws laplacian_lines::Error(InvalidOption) if the
 /// layer's transformation is singular

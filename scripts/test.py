@@ -6,7 +6,7 @@ import time
 
 from checks import checks
 from environment.files import cache_folder
-from environment.messages import Failure, Obstacle, run_main, say
+from environment.messages import Failure, Unavailable, run_main, say
 from environment.options import Parser
 from environment.packages import meshlab_version
 from hosts import hosts, reach
@@ -42,7 +42,7 @@ class Stages:
     """How the stages of a run ended, and what each took: a line as it ends, and all again at the end of the run."""
 
     def __init__(self, required):
-        """Skipped means kept from running by an Obstacle; a failure if `required`."""
+        """Skipped means kept from running by an Unavailable; a failure if `required`."""
         self.required, self.lines, self.failed = required, [], False
 
     def __call__(self, name, function, *words):
@@ -51,7 +51,7 @@ class Stages:
         try:
             remark = function(*words)
             result, succeeded = f"passed, {remark}" if remark else "passed", True
-        except Obstacle as reason:
+        except Unavailable as reason:
             result = f"skipped: {reason}"
             self.failed |= self.required
         except Failure as failure:

@@ -57,7 +57,7 @@ def draw(folder, mesh, options):
     views = ",".join(f"{step * (number + 0.5):.3f},0" for number in range(options.frames))
     drawing = folder / "views.svg"
     if not quietly(folder / "log", [build_folder() / "bin/laplacian-lines", drawing, "--views", views, "--paper", options.paper,
-                                    "--furniture", "none", "--up", options.up, "--unit", "m", mesh]):
+                                    "--annotations", "none", "--up", options.up, "--unit", "m", mesh]):
         raise Failure(f"{mesh} cannot be drawn")
     return drawing
 

@@ -230,8 +230,8 @@ LineRadii line_radii(const LineAppearance& appearance, double pixel_scale) {
 
 double line_clearance(std::size_t look, const LinePlacement& placement) {
     return mean_scale(placement.to_eye) *
-           laplacian_lines::sight_clearance(laplacian_lines::kLineKinds[look].kind,
-                                            placement.diagonal, placement.sight_edge);
+           laplacian_lines::depth_bias(laplacian_lines::kLineKinds[look].kind, placement.diagonal,
+                                       placement.depth_bias_edge);
 }
 
 StreamSettings stream_settings(const LineAppearance& appearance, const LinePlacement& placement,

@@ -22,28 +22,28 @@ public:
     void use() const { glUseProgram(id_); }
 
     // Uniforms, of the program in use.
-    void set(const char* name, int value) const { glUniform1i(place(name), value); }
-    void set(const char* name, float value) const { glUniform1f(place(name), value); }
+    void set(const char* name, int value) const { glUniform1i(location(name), value); }
+    void set(const char* name, float value) const { glUniform1f(location(name), value); }
     void set(const char* name, const Eigen::Vector2f& value) const {
-        glUniform2fv(place(name), 1, value.data());
+        glUniform2fv(location(name), 1, value.data());
     }
     void set(const char* name, const Eigen::Vector4f& value) const {
-        glUniform4fv(place(name), 1, value.data());
+        glUniform4fv(location(name), 1, value.data());
     }
     void set(const char* name, const Eigen::Matrix4f& value) const {
-        glUniformMatrix4fv(place(name), 1, GL_FALSE, value.data());
+        glUniformMatrix4fv(location(name), 1, GL_FALSE, value.data());
     }
     template <std::size_t Count>
     void set(const char* name, const std::array<float, Count>& values) const {
-        glUniform1fv(place(name), GLsizei(Count), values.data());
+        glUniform1fv(location(name), GLsizei(Count), values.data());
     }
     template <std::size_t Count>
     void set(const char* name, const std::array<Eigen::Vector4f, Count>& values) const {
-        glUniform4fv(place(name), GLsizei(Count), values.front().data());
+        glUniform4fv(location(name), GLsizei(Count), values.front().data());
     }
 
 private:
-    GLint place(const char* name) const { return glGetUniformLocation(id_, name); }
+    GLint location(const char* name) const { return glGetUniformLocation(id_, name); }
 
     GLuint id_ = 0;
 };

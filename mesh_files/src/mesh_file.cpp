@@ -36,16 +36,16 @@ std::string joined(const std::string& remark, std::size_t skipped_faces) {
 }
 
 /// The defect of a mesh with corners that are not finite, or nothing.
-std::string lack_of(const laplacian_lines::TriangleMesh& mesh) {
+std::string defect_of(const laplacian_lines::TriangleMesh& mesh) {
     const auto is_nowhere = [&](std::uint32_t corner) {
         return !mesh.positions[corner].allFinite();
     };
-    const auto lacking = std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
-                                       [&](const laplacian_lines::Triangle& t) {
-                                           return std::any_of(t.begin(), t.end(), is_nowhere);
-                                       });
-    if (lacking == 0) return {};
-    return std::to_string(lacking) + " of " + std::to_string(mesh.triangles.size()) +
+    const auto wrong = std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
+                                     [&](const laplacian_lines::Triangle& t) {
+                                         return std::any_of(t.begin(), t.end(), is_nowhere);
+                                     });
+    if (wrong == 0) return {};
+    return std::to_string(wrong) + " of " + std::to_string(mesh.triangles.size()) +
            " triangles have corners without finite coordinates";
 }
 
@@ -77,7 +77,7 @@ MeshInFile read_mesh(Format format, std::string_view bytes) {
         file.defect = defect.what;
     }
     file.mesh = builder.finish(file.defect);
-    if (file.defect.empty()) file.defect = lack_of(file.mesh);
+    if (file.defect.empty()) file.defect = defect_of(file.mesh);
     return file;
 }
 

@@ -36,7 +36,7 @@ private:
     }
 
     /// A line with at least these words.
-    std::string_view demanded_line(std::size_t words, const char* what, std::uint64_t i,
+    std::string_view required_line(std::size_t words, const char* what, std::uint64_t i,
                                    std::uint64_t count) {
         joined_.clear();
         for (std::size_t k = 0; k < words; ++k) {
@@ -94,7 +94,7 @@ private:
     }
 
     void read_vertex(std::uint64_t i) {
-        std::string_view line = demanded_line(words_of_vertex_, "vertex", i, vertices_);
+        std::string_view line = required_line(words_of_vertex_, "vertex", i, vertices_);
         mesh_.add(coordinates_in(line));
         // A missing number would make one of the next line a coordinate.
         const std::size_t more = words_in(line);
@@ -105,10 +105,10 @@ private:
     }
 
     void read_face(std::uint64_t i) {
-        std::string_view line = demanded_line(1, "face", i, faces_);
+        std::string_view line = required_line(1, "face", i, faces_);
         const std::int64_t count = integer_in(take_word(line));
         if (layout_ != Layout::Lines)
-            line = demanded_line(std::size_t(std::max<std::int64_t>(count, 0)), "face", i, faces_);
+            line = required_line(std::size_t(std::max<std::int64_t>(count, 0)), "face", i, faces_);
         corners_.clear();
         for (std::int64_t k = 0; k < count; ++k) {
             const std::string_view word = take_word(line);

@@ -50,7 +50,7 @@ inline void remove_vertex_attribute(CMeshO& mesh, const char* name) {
 
 /// As find_vertex_values(), created or replaced if need be.
 template <class T>
-std::vector<T>& demand_vertex_values(CMeshO& mesh, const char* name) {
+std::vector<T>& ensure_vertex_values(CMeshO& mesh, const char* name) {
     if (!find_vertex_values<T>(mesh, name)) {
         remove_vertex_attribute(mesh, name);
         vcg::tri::Allocator<CMeshO>::AddPerVertexAttribute<T>(mesh, std::string(name));

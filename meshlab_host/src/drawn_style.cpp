@@ -43,7 +43,7 @@ void note_drawn_style(const DrawnStyle& drawn) {
         application->setProperty(kProperty, map);
 }
 
-DrawnStyle demand_drawn_style() {
+DrawnStyle require_drawn_style() {
     const QObject* application = QCoreApplication::instance();
     const QVariantMap map = application ? application->property(kProperty).toMap() : QVariantMap();
     if (map.isEmpty())

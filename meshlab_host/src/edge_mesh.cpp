@@ -40,7 +40,7 @@ void add_vertices(const LineSet& lines, CMeshO& mesh) {
     vcg::tri::Allocator<CMeshO>::AddVertices(mesh, count);
     visit_vertices(
         lines, [&](std::size_t vertex, const LinePoint& point, const Polyline&, std::size_t) {
-            const Eigen::Vector3d p = lines.place(point);
+            const Eigen::Vector3d p = lines.position(point);
             mesh.vert[vertex].P() = Point3m(Scalarm(p.x()), Scalarm(p.y()), Scalarm(p.z()));
             mesh.vert[vertex].Q() = Scalarm(point.weight * point.opacity);
         });
@@ -93,7 +93,7 @@ void to_edge_mesh(const LineSet& lines, CMeshO& mesh) {
     add_vertices(lines, mesh);
     add_edges(lines, mesh);
     const auto column = [&](const char* name) {
-        return demand_vertex_values<Scalarm>(mesh, name).data();
+        return ensure_vertex_values<Scalarm>(mesh, name).data();
     };
     Scalarm *const numbers = column("ll_line"), *const kinds = column("ll_kind"),
                    *const strengths = column("ll_strength"), *const slopes = column("ll_slope"),

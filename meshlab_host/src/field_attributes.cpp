@@ -110,14 +110,14 @@ std::uint64_t content_hash(const CMeshO& mesh, const Columns& columns) {
 
 void write_columns(CMeshO& mesh, const Columns& columns, const Field& field) {
     const std::vector<std::uint32_t> live_places = live_slots(mesh);
-    const auto demand_values = [&](const FieldAttribute& attribute, auto stored) -> auto& {
-        return demand_vertex_values<typename decltype(stored)::Value>(mesh, attribute.name);
+    const auto ensure_values = [&](const FieldAttribute& attribute, auto stored) -> auto& {
+        return ensure_vertex_values<typename decltype(stored)::Value>(mesh, attribute.name);
     };
     visit_attributes(columns, [&](const FieldColumn&, const FieldAttribute& attribute, int,
-                                  auto stored) { demand_values(attribute, stored); });
+                                  auto stored) { ensure_values(attribute, stored); });
     visit_attributes(columns, [&](const FieldColumn& column, const FieldAttribute& attribute,
                                   int first, auto stored) {
-        auto& values = demand_values(attribute, stored);
+        auto& values = ensure_values(attribute, stored);
         const float zero[3] = {};
         if (has_deleted_vertices(mesh)) std::fill(values.begin(), values.end(), stored.from(zero));
         const float* floats = column.read(field) + first;

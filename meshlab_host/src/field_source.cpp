@@ -77,14 +77,14 @@ FieldSource with_derivatives(FieldSource source) {
     return source;
 }
 
-Field demand_field(const CMeshO& mesh, const laplacian_lines::TriangleMesh& triangles,
-                   const QString& mesh_name, const FieldSource& source,
-                   const std::function<void(const QString&)>& say,
-                   const laplacian_lines::Progress& progress) {
+Field find_or_compute_field(const CMeshO& mesh, const laplacian_lines::TriangleMesh& triangles,
+                            const QString& mesh_name, const FieldSource& source,
+                            const std::function<void(const QString&)>& say,
+                            const laplacian_lines::Progress& progress) {
     if (source.status == FieldStatus::Current)
         if (std::optional<Field> field = read_field(mesh, source.key.stamp)) {
             if (source.options.curvature_derivatives)
-                demand_derivatives(triangles, *field, progress);
+                ensure_derivatives(triangles, *field, progress);
             return std::move(*field);
         }
     QElapsedTimer clock;
@@ -96,7 +96,7 @@ Field demand_field(const CMeshO& mesh, const laplacian_lines::TriangleMesh& tria
     return field;
 }
 
-void demand_derivatives(const laplacian_lines::TriangleMesh& triangles, Field& field,
+void ensure_derivatives(const laplacian_lines::TriangleMesh& triangles, Field& field,
                         const laplacian_lines::Progress& progress) {
     if (!field.has_derivatives())
         laplacian_lines::add_curvature_derivatives(triangles, field, progress);

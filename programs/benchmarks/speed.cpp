@@ -50,9 +50,9 @@ std::vector<View> orbit(const TriangleMesh& mesh) {
 
 /// All zeros of n·l in one loop over the triangles, in floats and on one thread: nothing is
 /// filtered or traced.
-class PlainContours {
+class BaselineContours {
 public:
-    PlainContours(const TriangleMesh& mesh, const Field& field)
+    BaselineContours(const TriangleMesh& mesh, const Field& field)
         : triangles_(mesh.triangles), normals_(field.normals), values_(mesh.positions.size()) {
         for (const Eigen::Vector3d& p : mesh.positions)
             positions_.push_back(p.cast<float>());
@@ -117,7 +117,7 @@ void add_redraws(const Subject& plain, const Subject& full) {
     add_redraw("default", plain, LineStyle().shows, 1);
     add_redraw("default_all_threads", plain, LineStyle().shows, 0);
     add_redraw("all_kinds", full, all_kinds(), 1);
-    add("redraw/plain_contours", [&plain, contours = PlainContours(plain.mesh, plain.field)](
+    add("redraw/plain_contours", [&plain, contours = BaselineContours(plain.mesh, plain.field)](
                                      std::size_t i) mutable {
         benchmark::DoNotOptimize(contours.extract(plain.views[i % plain.views.size()]).data());
     })->Unit(benchmark::kMicrosecond);

@@ -41,8 +41,8 @@ EarlierDrawing earlier_drawing(const std::string& file) {
     EarlierDrawing earlier{object.members["laplacian_lines"].text, {}, {}};
     for (Json& mesh : object.members["meshes"].items)
         earlier.meshes.push_back({mesh.members["name"].text, mesh.members["sha256"].text});
-    for (const Json& word : object.members["options"].items)
-        earlier.options.push_back(word.text);
+    for (const Json& word : object.members["options"].items)  // version 0.3.0 said --furniture
+        earlier.options.push_back(word.text == "--furniture" ? "--annotations" : word.text);
     bool are_pairs = has_options && earlier.options.size() % 2 == 0;
     for (std::size_t i = 0; are_pairs && i < earlier.options.size(); i += 2)
         are_pairs = is_option(earlier.options[i]);
@@ -130,7 +130,7 @@ CommandLine parse_command_line(Words rest) {
 }
 
 std::string usage() {
-    return "laplacian-lines FILE" + line_drawing::endings_in_words("|", "|") +
+    return "laplacian-lines FILE" + line_drawing::list_of_endings("|", "|") +
            " [OPTION...] MESH|FOLDER...\n"
            "                       a measured drawing of a mesh, or of several that hide each "
            "other\n"

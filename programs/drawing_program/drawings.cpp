@@ -12,8 +12,8 @@
 #include <thread>
 
 #include "laplacian_lines/threads.h"
+#include "line_drawing/atomic_file.h"
 #include "line_drawing/make_sheet.h"
-#include "line_drawing/whole_file.h"
 #include "mesh_reading.h"
 
 namespace fs = std::filesystem;
@@ -50,7 +50,7 @@ line_drawing::SheetOptions options_for(const std::vector<ReadMesh>& meshes,
 }
 
 /// Reads a mesh as the options say, and says what of its file was skipped.
-ReadMesh read_aloud(const std::string& file, const CommandLine& commands) {
+ReadMesh read_and_report(const std::string& file, const CommandLine& commands) {
     ReadMesh read = read_mesh(file, commands.choices.draws_damaged);
     if (!read.remark.empty()) say(stderr, file + ": " + read.remark);
     return read;
@@ -76,7 +76,7 @@ std::vector<Sheet> draw_into(const std::string& file, const std::vector<ReadMesh
         objects.push_back({read.mesh, nullptr, read.file});
     std::vector<Sheet> sheets = line_drawing::make_sheets(objects, options);
     sheets[0].provenance = line_drawing::provenance_text(sources_of(meshes), commands.words);
-    line_drawing::write_whole(file, write_sheet(sheets[0], file, commands.choices.dpi));
+    line_drawing::write_atomically(file, write_sheet(sheets[0], file, commands.choices.dpi));
     for (const auto& all : {remarks, sheets[0].remarks})
         for (const std::string& remark : all)
             say(stderr, (commands.is_collection ? meshes.front().file + ": " : "") + remark);
@@ -97,7 +97,7 @@ void say_size(const std::vector<ReadMesh>& meshes, const CommandLine& commands) 
                          : size.maxCoeff() < 1 ? "; if it is in metres, say --unit m"
                                                : "; --unit says otherwise";
     say(stdout, (meshes.size() > 1 ? "together the objects are " : "the object is ") +
-                    line_drawing::size_in_words(size, " x ") + " in size, with " +
+                    line_drawing::size_text(size, " x ") + " in size, with " +
                     line_drawing::in_digits(unit) + " mm to the unit of the mesh" + advice);
 }
 
@@ -207,7 +207,7 @@ private:
     /// Large meshes are drawn one at a time.
     void draw(Item& item) {
         std::vector<ReadMesh> meshes;
-        meshes.push_back(read_aloud(item.mesh, commands_));
+        meshes.push_back(read_and_report(item.mesh, commands_));
         std::shared_lock with_others(memory_, std::defer_lock);
         std::unique_lock alone(memory_, std::defer_lock);
         if (kBytesPerTriangle * double(meshes[0].mesh.triangles.size()) > memory_of_thread_)
@@ -235,7 +235,7 @@ private:
         if (commands_.options.text == line_drawing::TextStyle::Outlines)
             line_drawing::outline_texts(sheet);
         sheet.provenance = line_drawing::provenance_text(meshes, commands_.words);
-        line_drawing::write_whole(file, write_sheet(sheet, file, commands_.choices.dpi));
+        line_drawing::write_atomically(file, write_sheet(sheet, file, commands_.choices.dpi));
         say(stdout, file + ": " + std::to_string(entries.size()) +
                         (entries.size() == 1 ? " object" : " objects"));
     }
@@ -255,7 +255,7 @@ void draw_one(const CommandLine& commands) {
     line_drawing::check_writable(commands.drawing);
     std::vector<ReadMesh> meshes;
     for (const std::string& file : commands.meshes)
-        meshes.push_back(read_aloud(file, commands));
+        meshes.push_back(read_and_report(file, commands));
     if (commands.like) say_what_differs(*commands.like, sources_of(meshes));
     say_size(meshes, commands);
     draw_into(commands.drawing, meshes, commands);

@@ -12,11 +12,11 @@ namespace driver {
 namespace {
 
 // Made beforehand: a signal's handler may neither allocate nor lock.
-char last_words[4096];
+char timeout_message[4096];
 unsigned watched_seconds = 0;
 
 void end_by_alarm(int) {
-    const auto written = write(STDERR_FILENO, last_words, std::strlen(last_words));
+    const auto written = write(STDERR_FILENO, timeout_message, std::strlen(timeout_message));
     _exit(written < 0 ? kFailureExitCode + 1 : kFailureExitCode);
 }
 
@@ -41,14 +41,14 @@ void end_process(int exit_code) {
 
 void watch(const std::string& what, unsigned seconds) {
     alarm(0);
-    std::snprintf(last_words, sizeof last_words, "meshlab_driver: error: %s: time-out after %u s\n",
-                  what.c_str(), seconds);
+    std::snprintf(timeout_message, sizeof timeout_message,
+                  "meshlab_driver: error: %s: time-out after %u s\n", what.c_str(), seconds);
     std::signal(SIGALRM, end_by_alarm);
     watched_seconds = seconds;
-    watch_on();
+    restart_watch();
 }
 
-void watch_on() {
+void restart_watch() {
     alarm(watched_seconds);
 }
 

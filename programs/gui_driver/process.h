@@ -13,6 +13,6 @@ void say(const std::string& text);  // one line on stderr
 // A watchdog: ends the process with an error if neither of these is called within so many seconds,
 // 0 for any. Also while a filter or drawing hangs, which no timer of the GUI notices.
 void watch(const std::string& what, unsigned seconds);
-void watch_on();  // restarts the clock
+void restart_watch();  // restarts the clock
 
 }  // namespace driver

@@ -83,7 +83,7 @@ void Runner::step() {
     if (!window || !window->isVisible()) return schedule_step(kBetweenRetries);
     if (next_ == 0)
         for (QProgressBar* bar : window->findChildren<QProgressBar*>())
-            connect(bar, &QProgressBar::valueChanged, this, [] { watch_on(); });
+            connect(bar, &QProgressBar::valueChanged, this, [] { restart_watch(); });
     QWidget* modal = QApplication::activeModalWidget();
     // Without a box, it is a filter's progress that runs the event loop.
     const bool has_to_wait = !modal && !in_progress_.isEmpty();

@@ -69,10 +69,10 @@ nb::dict arrays_of(const Field& field) {
     return result;
 }
 
-nb::dict arrays_of(const std::vector<SightLine>& lines) {
-    std::vector<SightPoint> points;
+nb::dict arrays_of(const std::vector<ViewLine>& lines) {
+    std::vector<ViewLinePoint> points;
     std::vector<std::size_t> offsets{0};
-    for (const SightLine& line : lines) {
+    for (const ViewLine& line : lines) {
         points.insert(points.end(), line.points.begin(), line.points.end());
         offsets.push_back(points.size());
     }
@@ -80,16 +80,16 @@ nb::dict arrays_of(const std::vector<SightLine>& lines) {
     return dict_of(
         "points"_a = array<double>(
             points.size(), 3, [&](std::size_t i, std::size_t j) { return points[i].position[j]; }),
-        "weights"_a = array_of<float>(points, &SightPoint::weight),
-        "gradients"_a = array_of<float>(points, &SightPoint::gradient),
-        "opacities"_a = array_of<float>(points, &SightPoint::opacity),
+        "weights"_a = array_of<float>(points, &ViewLinePoint::weight),
+        "gradients"_a = array_of<float>(points, &ViewLinePoint::gradient),
+        "opacities"_a = array_of<float>(points, &ViewLinePoint::opacity),
         "offsets"_a = array<std::int64_t>(offsets.size(), 1,
                                           [&](std::size_t i, std::size_t) { return offsets[i]; }),
-        "kinds"_a = array_of<std::uint8_t>(lines, &SightLine::kind),
-        "strengths"_a = array_of<float>(lines, &SightLine::strength),
-        "closed"_a = array_of<Flag>(lines, &SightLine::closed),
-        "hidden"_a = array_of<Flag>(lines, &SightLine::is_hidden),
-        "outline"_a = array_of<Flag>(lines, &SightLine::is_outline));
+        "kinds"_a = array_of<std::uint8_t>(lines, &ViewLine::kind),
+        "strengths"_a = array_of<float>(lines, &ViewLine::strength),
+        "closed"_a = array_of<Flag>(lines, &ViewLine::closed),
+        "hidden"_a = array_of<Flag>(lines, &ViewLine::is_hidden),
+        "outline"_a = array_of<Flag>(lines, &ViewLine::is_outline));
 }
 
 }  // namespace python_module

@@ -26,7 +26,7 @@ nanobind::tuple arrays_of(const laplacian_lines::TriangleMesh& mesh);
 /// By attribute names of kFieldColumns.h: (vertices, 3) or (vertices,).
 nanobind::dict arrays_of(const laplacian_lines::Field& field);
 /// By the names in laplacian_lines/polylines.py.
-nanobind::dict arrays_of(const std::vector<laplacian_lines::SightLine>& lines);
+nanobind::dict arrays_of(const std::vector<laplacian_lines::ViewLine>& lines);
 
 /// Options of measured drawings that do not concern files, for laplacian_lines/options.py.
 nanobind::list sheet_options();

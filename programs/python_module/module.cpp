@@ -16,7 +16,7 @@
 #include "laplacian_lines/line_mixture.h"
 #include "laplacian_lines/option_table.h"
 #include "laplacian_lines/version.h"
-#include "line_drawing/whole_file.h"
+#include "line_drawing/atomic_file.h"
 #include "mesh_files/mesh_file.h"
 #include "surface.h"
 
@@ -117,7 +117,7 @@ nb::dict visible_lines(Surface& surface, const Direction& eye, double w,
                        const std::optional<Direction>& light, const Values& values, bool hidden,
                        bool in_picture) {
     const LineStyle style = options_of(line_style_table(), values);
-    SightOptions options;
+    VisibilityOptions options;
     options.has_hidden = hidden;
     options.in_picture = in_picture;
     return arrays_of(unlocked([&](const Progress& progress) {
@@ -156,7 +156,7 @@ nb::dict measures(const Surface& surface) {
                    "unreferenced_vertices"_a = report.unreferenced_vertices,
                    "degenerate_triangles"_a = report.degenerate_triangles,
                    "welded_vertices"_a = report.welded_vertices,
-                   "turned_triangles"_a = report.turned_triangles,
+                   "flipped_triangles"_a = report.flipped_triangles,
                    "undone_subdivisions"_a = report.undone_subdivisions);
 }
 
@@ -170,8 +170,8 @@ nb::object read_mesh(const std::string& ending, const nb::bytes& bytes) {
 }
 
 /// Whole or not at all.
-void write_whole(const nb::bytes& file, const nb::bytes& content) {
-    line_drawing::write_whole({file.c_str(), file.size()}, {content.c_str(), content.size()});
+void write_atomically(const nb::bytes& file, const nb::bytes& content) {
+    line_drawing::write_atomically({file.c_str(), file.size()}, {content.c_str(), content.size()});
 }
 
 }  // namespace
@@ -187,7 +187,7 @@ NB_MODULE(_core, m) {
     m.def("keys_of_kinds", keys_of_kinds);
     m.def("draw", draw);
     m.def("read_mesh", read_mesh);
-    m.def("write_whole", write_whole);
+    m.def("write_atomically", write_atomically);
     nb::class_<Surface>(m, "Surface")
         .def("__init__", make_surface)
         .def("field", field)

@@ -43,31 +43,31 @@ public:
 
     /// All lines of a view as LineExtractor::extract(), none of them marked as hidden or an
     /// outline.
-    std::vector<SightLine> lines(const View& view, const LineStyle& style,
-                                 const Progress& progress) {
+    std::vector<ViewLine> lines(const View& view, const LineStyle& style,
+                                const Progress& progress) {
         const std::lock_guard using_parts(parts_);
         ExtractionScratch scratch;
         LineSet set;
         extractor(style, progress).extract(view, style, scratch, set);
-        std::vector<SightLine> lines;
+        std::vector<ViewLine> lines;
         for (const Polyline& line : set.lines) {
-            SightLine& found = lines.emplace_back();
+            ViewLine& found = lines.emplace_back();
             found.kind = line.kind;
             found.closed = line.closed;
             found.strength = line.strength;
             for (std::uint32_t i = line.first; i < line.first + line.count; ++i) {
                 const LinePoint& point = set.points[i];
                 found.points.push_back(
-                    {set.place(point), point.weight, point.gradient, point.opacity, 0, false});
+                    {set.position(point), point.weight, point.gradient, point.opacity, 0, false});
             }
         }
         return lines;
     }
 
-    /// The visible lines, and the hidden ones if asked for, see LineVisibility::look(). The style
-    /// has the kinds and the smoothing.
-    std::vector<SightLine> visible_lines(const View& view, const LineStyle& style,
-                                         SightOptions options, const Progress& progress) {
+    /// The visible lines, and the hidden ones if asked for, see LineVisibility::visible_lines().
+    /// The style has the kinds and the smoothing.
+    std::vector<ViewLine> visible_lines(const View& view, const LineStyle& style,
+                                        VisibilityOptions options, const Progress& progress) {
         const std::lock_guard using_parts(parts_);
         if (!visibility_) visibility_ = std::make_unique<LineVisibility>(mesh_, progress);
         ExtractionScratch scratch;
@@ -75,13 +75,13 @@ public:
         options.shows = style.shows;
         options.line_smoothing = style.line_smoothing;
         options.shortest_contour = style.shortest_contour;
-        return visibility_->look(view, {lines}, options, progress);
+        return visibility_->visible_lines(view, {lines}, options, progress);
     }
 
     /// See line_drawing::strokes_of(); with the field's kernel if the options have one.
-    std::vector<SightLine> strokes(const line_drawing::ViewFrame& frame,
-                                   const line_drawing::SheetOptions& options, double size,
-                                   const Progress& progress) {
+    std::vector<ViewLine> strokes(const line_drawing::ViewFrame& frame,
+                                  const line_drawing::SheetOptions& options, double size,
+                                  const Progress& progress) {
         const std::lock_guard using_parts(parts_);
         if (has_own_kernel_ && options.style.shows.needs_derivatives())
             extractor(options.style, progress);  // adds them to the field

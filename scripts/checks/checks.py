@@ -18,7 +18,7 @@ from environment.messages import Failure, output, quietly, run, run_together, sa
 PACKAGES = "clang clang-format libclang-rt-dev llvm cppcheck git shellcheck python3-pyflakes universal-ctags".split()
 LEAST_COVERAGE = 97  # percent of the core's lines
 # Under sanitizers these take minutes: accuracy, many meshes, triangles, options or threads. Others run the same code.
-SLOW_UNDER_SANITIZERS = """*WithAnyOptions* *Converge* *Large* *KindsOnSurface* *ClosedOutlines* EndlessSum.* Determinism.*
+SLOW_UNDER_SANITIZERS = """*WithAnyOptions* *Converge* *Large* *KindsOnSurface* *ClosedOutlines* CostlySum.* Determinism.*
     *NumberOfThreads""".split()
 FUZZED = "core", "ply", "stl", "obj", "off"
 FUZZ_SECONDS, NIGHTLY_FUZZ_SECONDS = 20, 600  # of all at once; inputs that were found once are tests
@@ -33,7 +33,7 @@ UNTHREADED_TESTS = "*InAForkedProcess"  # the sanitizer refuses to start threads
 
 
 def run_checks(stage, nightly):
-    """By night, clang builds all rooms, not only what runs here, and slow checks run."""
+    """By night, clang builds all modules, not only what runs here, and slow checks run."""
     stage("static analysis", check_statically)
     if stage("clang's warnings", build_with_clang, "sanitizers", *([] if nightly else CHECKED)):
         stage("sanitizers", check_sanitized)

@@ -6,7 +6,7 @@ import pathlib
 import shutil
 
 from environment import packages
-from environment.files import compiled_folder, turn
+from environment.files import compiled_folder, locked
 from environment.headers import ensure_headers
 from environment.messages import Failure, quietly, say
 
@@ -48,7 +48,7 @@ def build_targets(*targets, preset=None, options=(), extra_packages=None, checko
     """Configures by a preset of CMakePresets.json and compiles all targets, or those named. With extra_packages,
     installs these and all that building takes first; otherwise MeshLab is that which was found before, or none."""
     build, environment = build or build_folder(checkout), compiling(checkout, **environment)
-    with turn(build):
+    with locked(build):
         words = [*(["--preset", preset] if preset else []), *options]
         if extra_packages is not None:
             words.append(f"-DMESHLAB_SOURCE_DIR={ensure_toolchain(*extra_packages)}")

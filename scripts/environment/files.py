@@ -65,7 +65,7 @@ def put_file(data, target, mode=None):
 
 
 @contextlib.contextmanager
-def turn(folder):
+def locked(folder):
     """Locks a folder against other scripts: ./run and ./test may be called at once in one checkout. A killed script's lock
     ends with the last of its programs."""
     try:

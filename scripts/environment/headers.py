@@ -10,7 +10,7 @@ import subprocess
 import tempfile
 
 from environment.files import cache_folder, publish_into
-from environment.messages import Obstacle, output, say
+from environment.messages import Unavailable, output, say
 from environment.packages import meshlab_version
 
 KEYRING = "/usr/share/keyrings/debian-archive-keyring.gpg"
@@ -70,7 +70,7 @@ def unpack_source(package, folder, suite=None):
 
 
 def ensure_headers(version="", suite=None):
-    """The folder of those of the installed MeshLab, or of a version that another release of Debian packages. Raises Obstacle."""
+    """The folder of those of the installed MeshLab, or of a version that another release of Debian packages. Raises Unavailable."""
     package = "meshlab" if suite else f"meshlab={meshlab_version()}"
     folder = cache_folder() / "headers" / (version or meshlab_version())
 
@@ -80,5 +80,5 @@ def ensure_headers(version="", suite=None):
     if not (folder / "src/common").is_dir():
         say(f"fetching the headers of MeshLab {folder.name} from its source package")
         if not publish_into(folder, fill):
-            raise Obstacle(f"the source of MeshLab {folder.name} could not be fetched; unpack it yourself to {folder}")
+            raise Unavailable(f"the source of MeshLab {folder.name} could not be fetched; unpack it yourself to {folder}")
     return folder

@@ -14,7 +14,7 @@ class Failure(Exception):
     """Printed before the script ends with code 1."""
 
 
-class Obstacle(Exception):
+class Unavailable(Exception):
     """Something is not available here, which is no error of the script: the caller decides."""
 
 
@@ -40,7 +40,7 @@ def run_main(main):
         signal.signal(number, lambda number, _: sys.exit(128 + number))
     try:
         code = main()
-    except (Failure, Obstacle) as failure:
+    except (Failure, Unavailable) as failure:
         if str(failure):
             say(failure)
         code = 1

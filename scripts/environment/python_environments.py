@@ -5,19 +5,19 @@ import shutil
 import subprocess
 
 from environment.files import cache_folder
-from environment.messages import Failure, Obstacle, output, quietly, say
+from environment.messages import Failure, Unavailable, output, quietly, say
 from environment.packages import ensure_packages
 
 
 def ensure_python(name, version, size, *packages):
     """The Python of this environment, of about that size, made with the user's Python. Other packages need another
-    version. Raises Obstacle."""
+    version. Raises Unavailable."""
     users = shutil.which("python3")
     try:
         if output(users, "-c", "import ensurepip, venv") is None:
             ensure_packages("python3-venv")
     except Failure as reason:
-        raise Obstacle(reason) from None
+        raise Unavailable(reason) from None
     users_version = output(users, "-c", "import platform; print(platform.python_version())")
     folder = cache_folder() / name / f"{version}-python{users_version}"
     python, done = folder / "bin/python", folder / "done"
@@ -26,6 +26,6 @@ def ensure_python(name, version, size, *packages):
         if (subprocess.run([users, "-m", "venv", "--clear", folder]).returncode != 0 or
                 not quietly(folder / "log", [python, "-m", "pip", "--disable-pip-version-check", "--no-input", "install",
                                              *packages])):
-            raise Obstacle(f"{' '.join(packages)} could not be installed for Python {users_version}; the log is {folder}/log")
+            raise Unavailable(f"{' '.join(packages)} could not be installed for Python {users_version}; the log is {folder}/log")
         done.touch()
     return python

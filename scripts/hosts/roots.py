@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Other releases of Debian in folders ("roots"), to build and test with the MeshLab that they package. Made by
 debootstrap from the mirror that this machine's apt uses, and entered like a chroot in namespaces of their own: mounts
-there end with the last process. What is not available raises Obstacle."""
+there end with the last process. What is not available raises Unavailable."""
 
 import contextlib
 import fcntl
@@ -15,7 +15,7 @@ from environment import packages
 from environment.build import CHECKOUT
 from environment.files import cache_folder, compiled_folder, publish_into
 from environment.headers import debian_mirror
-from environment.messages import Failure, Obstacle, output, run, say
+from environment.messages import Failure, Unavailable, output, run, say
 
 SUITES = {"2020": "bookworm", "2022": "trixie", "2025": "forky"}  # by the year in MeshLab's version
 NAMESPACES = "setpriv --pdeathsig KILL unshare --mount --pid --fork --kill-child".split()
@@ -74,10 +74,10 @@ def ensured_root(suite, kind, install):
     """The root, locked against its being replaced. One of a kind of its own has what install(ROOT, FOLDER OF PACKAGES, LOG)
     puts there, which returns whether it succeeds. When what it is made from changes, it is made anew."""
     if os.geteuid() != 0 or output("unshare", "--mount", "--pid", "--fork", "--net", "--ipc", "true") is None:
-        raise Obstacle("making a root needs root's rights, and a machine that allows private mounts (unshare)")
+        raise Unavailable("making a root needs root's rights, and a machine that allows private mounts (unshare)")
     root, mirror = cache_folder() / "roots" / (suite + kind), debian_mirror()
     if not mirror:
-        raise Obstacle("roots are made from this machine's Debian mirror, and its apt configuration names none")
+        raise Unavailable("roots are made from this machine's Debian mirror, and its apt configuration names none")
     recipe = [suite, mirror, *packages.BUILD, *packages.DISPLAY, *packages.TEST, *packages.MESHLAB_RECOMMENDS,
               *map(inspect.getsource, (make_root, run_with_network, install))]
     wanted = hashlib.sha256("\n".join(recipe).encode()).hexdigest()
@@ -108,4 +108,4 @@ def make_root(suite, mirror, root, recipe, install):
     with open(f"{root}.log", "wb") as log:
         made = publish_into(root, fill)
     if not made:
-        raise Obstacle(f"the root of Debian {suite} could not be made; its log is {root}.log")
+        raise Unavailable(f"the root of Debian {suite} could not be made; its log is {root}.log")

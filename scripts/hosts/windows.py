@@ -9,7 +9,7 @@ import shutil
 
 from environment import packages
 from environment.build import CHECKOUT, build_folder, build_targets
-from environment.messages import Failure, Obstacle, quietly, run
+from environment.messages import Failure, Unavailable, quietly, run
 
 BUILD = CHECKOUT / "build/windows"
 PACKAGES = "g++-mingw-w64-x86-64-posix libz-mingw-w64-dev wine64".split()
@@ -46,7 +46,7 @@ def differing(one, other):
 
 def test():
     if platform.machine() != "x86_64":
-        raise Obstacle("the command for Windows is for x86-64")
+        raise Unavailable("the command for Windows is for x86-64")
     packages.ensure_packages(*packages.CORE, *PACKAGES)
     build_targets(TARGET, preset="windows", build=BUILD)
     build_targets(TARGET, preset="tests", extra_packages=[*packages.DISPLAY, *packages.TEST])

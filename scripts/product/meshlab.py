@@ -16,7 +16,7 @@ STILL = 120  # seconds without progress, after which a reader of MeshLab's does 
 DRIVER_ERROR = 3  # the exit code of MeshLab when the driver ends it
 
 
-def is_odd_name(name):
+def needs_other_name(name):
     """Whether a name cannot be written in a line of the driver, which is UTF-8, or in the user's locale, as MeshLab has
     names."""
     with contextlib.suppress(locale.Error):
@@ -24,10 +24,10 @@ def is_odd_name(name):
     return not name.isprintable() or not (name.isascii() or locale.nl_langinfo(locale.CODESET) == "UTF-8")
 
 
-def drivable_mesh(name, folder):
+def loadable_mesh(name, folder):
     """As prepare_mesh(), but a link with another name if needed."""
     mesh = prepare_mesh(name, folder)
-    if not is_odd_name(str(mesh)):
+    if not needs_other_name(str(mesh)):
         return mesh
     link = folder / f"mesh.{str(mesh).rsplit('.', 1)[-1]}"
     link.symlink_to(mesh)
@@ -83,11 +83,11 @@ def opening(name, folder):
     """The driver's commands that open a mesh, a project or, without a name, the dragon."""
     if is_project(name):
         project = os.path.realpath(name)  # no link elsewhere: the names in it are of files beside it
-        if is_odd_name(project):
+        if needs_other_name(project):
             raise Failure(f"MeshLab cannot open a project of this name, {name}: rename it or its folder")
         return [f"open-project {project}"]
     folder.mkdir(parents=True)
-    return loading(drivable_mesh(name, folder))
+    return loading(loadable_mesh(name, folder))
 
 
 def framing(names, up):

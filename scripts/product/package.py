@@ -3,7 +3,7 @@
 
 import shutil
 
-from environment.files import put_file, turn
+from environment.files import put_file, locked
 from environment.messages import Failure, quietly, say
 
 
@@ -15,7 +15,7 @@ def make_packages(build, folder, kinds=("DEB", "ZIP")):
     """Of the plugins built there, replacing those in the folder, which stay on failure."""
     scratch, log = build / "packages.new", build / "packages.new.log"
     say("making the packages")
-    with turn(build):
+    with locked(build):
         shutil.rmtree(scratch, ignore_errors=True)
         # CPack would build everything first, but not for generators without a target "preinstall"
         made = quietly(log, ["cpack", "--config", build / "CPackConfig.cmake", "-G", ";".join(kinds), "-D",

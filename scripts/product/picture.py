@@ -10,8 +10,8 @@ import typing
 from environment.files import put_file
 from environment.messages import Failure, say
 from product.display import display, private_home
-from product.meshlab import DRIVER_ERROR, LIMIT, drivable_mesh, explain_failure, loading, log_lines, run_meshlab, settings_commands
-from product.sheet import make_sheet, plain_label
+from product.meshlab import DRIVER_ERROR, LIMIT, loadable_mesh, explain_failure, loading, log_lines, run_meshlab, settings_commands
+from product.sheet import make_sheet, escaped_label
 
 LINE_SIDE = 900  # pixels of a picture's shorter side, above which lines get wider with it
 VIEWS = {"front": "0,0", "right": "90,0", "back": "180,0", "left": "-90,0", "top": "0,90", "bottom": "0,-90"}
@@ -102,7 +102,7 @@ class Pictures:
             folder = self.folder / str(number)
             folder.mkdir()
             try:
-                file = drivable_mesh(mesh, folder)
+                file = loadable_mesh(mesh, folder)
                 self.rows.append((file, mesh or file.name))
             except Failure as reason:
                 say(reason)
@@ -160,7 +160,7 @@ class Pictures:
         name, angles = os.path.basename(self.rows[row][1]).removesuffix(".gz"), self.views[view]
         if "," in angles:
             angles = angles.replace(",", "°, ") + "°"
-        title = plain_label(f"{name} {angles}".rstrip())
+        title = escaped_label(f"{name} {angles}".rstrip())
         return "\\n".join(filter(None, (title, self.columns[column].label)))
 
     def put_together(self, target):

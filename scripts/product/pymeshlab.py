@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """PyMeshLab as a host of the filter plugin: a Python environment in the cache folder, and a build for the MeshLab that
-its package holds, which is of double precision and no other one's. What is not available raises Obstacle."""
+its package holds, which is of double precision and no other one's. What is not available raises Unavailable."""
 
 import os
 

@@ -10,7 +10,7 @@ WIDTH, HEIGHT = 3840, 16000  # pixels, at most: the widest usual screen; ImageMa
 GAP, LABEL_HEIGHT = 8, 60  # around a cell; two lines
 
 
-def plain_label(text):
+def escaped_label(text):
     """For ImageMagick, which reads UTF-8 and interprets %, \\ and a first @."""
     text = "".join(character if character.isprintable() else "?" for character in text)
     text = text.replace("\\", "\\\\").replace("%", "%%")

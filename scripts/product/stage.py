@@ -7,7 +7,7 @@ import os
 import pathlib
 import shlex
 
-from environment.files import put_file, turn
+from environment.files import put_file, locked
 from environment.messages import output
 
 
@@ -28,7 +28,7 @@ def stage_meshlab(stage, plugins):
     links, so executables are copied."""
     installed, system = installed_meshlab(), stage / "system"
     libraries = system / "lib" / multiarch() / "meshlab"
-    with turn(stage):
+    with locked(stage):
         for folder in (stage / "bin", system / "bin", system / "share"):
             folder.mkdir(parents=True, exist_ok=True)
         # MeshLab stops at parameters of two plugins with the same decorations: ours replaces an installed one of the same

@@ -2,7 +2,7 @@
 // Scores of drawings with known faults: they fall if a line is missing or added.
 #include <gtest/gtest.h>
 
-#include "places.h"
+#include "test_paths.h"
 #include "truth_measures.h"
 
 namespace {
@@ -122,7 +122,7 @@ TEST(FlatDrawing, IsInTheCoordinatesOfItsView) {
 }
 
 TEST(PartFile, IsRefusedIfItIsNone) {
-    EXPECT_THROW(read_part((places::repository() / "LICENSE").string()), std::runtime_error);
+    EXPECT_THROW(read_part((test_paths::repository() / "LICENSE").string()), std::runtime_error);
     EXPECT_THROW(read_part("no_part"), std::runtime_error);
 }
 

@@ -12,12 +12,12 @@
 
 #include "laplacian_lines/line_visibility.h"
 #include "registry.h"
-#include "sight_views.h"
+#include "tie_views.h"
 
 namespace {
 
 using namespace laplacian_lines;
-using namespace sight_views;
+using namespace tie_views;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
@@ -84,11 +84,11 @@ struct OutlinePlace {
     bool is_inside;
     double distance;
 };
-OutlinePlace place_in_outlines(const std::vector<SightLine>& lines, const View& view,
+OutlinePlace place_in_outlines(const std::vector<ViewLine>& lines, const View& view,
                                const Vector3d& point) {
     const SeenPlane plane(view, point);
     OutlinePlace result{false, std::numeric_limits<double>::infinity()};
-    for (const SightLine& line : lines) {
+    for (const ViewLine& line : lines) {
         if (!line.is_outline) continue;
         for (std::size_t i = 1; i < line.points.size(); ++i) {
             const Vector2d a = plane.place(line.points[i - 1].position),
@@ -111,14 +111,14 @@ Vector3d random_vector(std::mt19937& random) {
     return {x, y, random_unit(random)};
 }
 
-std::size_t open_outlines(const std::vector<SightLine>& lines) {
-    return std::size_t(std::count_if(lines.begin(), lines.end(), [](const SightLine& line) {
+std::size_t open_outlines(const std::vector<ViewLine>& lines) {
+    return std::size_t(std::count_if(lines.begin(), lines.end(), [](const ViewLine& line) {
         return line.is_outline && !line.closed;
     }));
 }
 
 /// At random places of the picture.
-void expect_covered_within(const std::vector<SightLine>& lines, const TriangleMesh& mesh,
+void expect_covered_within(const std::vector<ViewLine>& lines, const TriangleMesh& mesh,
                            const View& view, const Eigen::AlignedBox3d& box) {
     const double d = box.diagonal().norm();
     std::mt19937 random(11);
@@ -137,10 +137,10 @@ void expect_closed_outlines(const TriangleMesh& mesh, const std::vector<Vector3d
     for (const Triangle& t : mesh.triangles)
         for (const std::uint32_t v : t)
             if (mesh.positions[v].allFinite()) box.extend(mesh.positions[v]);
-    const SightOptions options{edge_kinds(), 1.2, false, true};
+    const VisibilityOptions options{edge_kinds(), 1.2, false, true};
     for (const View& view : views_from(directions, box.center(), box.diagonal().norm())) {
         SCOPED_TRACE(words(view));
-        const std::vector<SightLine> lines = visibility.look(view, {}, options);
+        const std::vector<ViewLine> lines = visibility.visible_lines(view, {}, options);
         EXPECT_EQ(open_outlines(lines), 0u);
         if (tries_places) expect_covered_within(lines, mesh, view, box);
     }

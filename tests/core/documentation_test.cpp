@@ -7,14 +7,14 @@
 #include <string>
 
 #include "laplacian_lines/line_kind.h"
-#include "places.h"
+#include "test_paths.h"
 
 namespace {
 
 using namespace laplacian_lines;
 
 std::string content(const std::string& file) {
-    std::ifstream stream(places::repository() / file);
+    std::ifstream stream(test_paths::repository() / file);
     std::ostringstream text;
     text << stream.rdbuf();
     EXPECT_FALSE(text.str().empty()) << file;

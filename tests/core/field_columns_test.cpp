@@ -12,8 +12,8 @@
 #include "laplacian_lines/field_columns.h"
 #include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/precompute.h"
-#include "places.h"
 #include "registry.h"
+#include "test_paths.h"
 
 namespace {
 
@@ -30,7 +30,7 @@ std::string documented_names(const FieldColumn& column) {
 
 std::string all_documents() {
     std::ostringstream text;
-    for (const auto& entry : std::filesystem::directory_iterator(places::repository() / "docs"))
+    for (const auto& entry : std::filesystem::directory_iterator(test_paths::repository() / "docs"))
         if (entry.path().extension() == ".md") text << std::ifstream(entry.path()).rdbuf();
     return text.str();
 }

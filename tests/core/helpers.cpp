@@ -103,7 +103,7 @@ bool has_area(const TriangleMesh& mesh, const Triangle& t) {
     return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm() > 0;
 }
 
-PrecomputeOptions plain_options(double kernel_size) {
+PrecomputeOptions uncorrected_options(double kernel_size) {
     PrecomputeOptions options;
     options.kernel_size = kernel_size;
     options.normal_smoothing = NormalSmoothing::None;

@@ -37,7 +37,7 @@ Eigen::Matrix3d matrix(const laplacian_lines::ShapeOperator& s);
 bool has_area(const laplacian_lines::TriangleMesh& mesh, const laplacian_lines::Triangle& t);
 
 /// Eq. 2 alone: no smoothing of normals, no border correction, all sources.
-laplacian_lines::PrecomputeOptions plain_options(double kernel_size);
+laplacian_lines::PrecomputeOptions uncorrected_options(double kernel_size);
 
 laplacian_lines::LineStyle all_crossings();
 laplacian_lines::LineStyle all_laplacian_lines();  ///< without contours

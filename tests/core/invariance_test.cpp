@@ -111,7 +111,7 @@ double share_near(const LineSet& lines, const LineSet& others, double distance) 
 
 LineSet brought_back(LineSet lines, const Eigen::Affine3d& transform) {
     for (LinePoint& p : lines.points)
-        p.position = (transform.inverse() * lines.place(p)).cast<float>();
+        p.position = (transform.inverse() * lines.position(p)).cast<float>();
     lines.origin.setZero();
     return lines;
 }

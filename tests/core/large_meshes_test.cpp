@@ -72,9 +72,9 @@ TEST_P(Large, MeshIsDoneOrRefused) {
     options.kernel_size = GetParam().kernel_size;
     try {
         const Field field = precompute(mesh, options);
-        EXPECT_EQ(wild::complaint(mesh, field), "");
+        EXPECT_EQ(wild::violation(mesh, field), "");
         const View view = View::perspective(field.scale.diagonal * Eigen::Vector3d(1, 2, 1.5));
-        EXPECT_EQ(wild::complaint(helpers::extract(LineExtractor(mesh, field), view, {})), "");
+        EXPECT_EQ(wild::violation(helpers::extract(LineExtractor(mesh, field), view, {})), "");
         EXPECT_FALSE(GetParam().refused);
     } catch (const Error& error) {
         EXPECT_TRUE(GetParam().refused) << error.what();
@@ -95,7 +95,7 @@ std::string refusal(const TriangleMesh& mesh, const PrecomputeOptions& options) 
     return "not refused";
 }
 
-TEST(EndlessSum, IsRefusedWithWhatToDo) {
+TEST(CostlySum, IsRefusedWithWhatToDo) {
     // All vertices are near each other.
     const TriangleMesh star = test_meshes::star(600000);
     PrecomputeOptions bilateral, balls;

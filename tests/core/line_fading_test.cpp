@@ -7,12 +7,12 @@
 #include <cmath>
 
 #include "laplacian_lines/precompute.h"
-#include "made_up_line.h"
+#include "synthetic_line.h"
 
 namespace {
 
 using namespace laplacian_lines;
-using helpers::MadeUp;
+using helpers::Synthetic;
 
 LineStyle all_opaque() {
     LineStyle style = helpers::all_laplacian_lines();
@@ -25,8 +25,8 @@ float middle_opacity(const LineSet& set) {
 }
 
 TEST(Fading, RisesAboveTheThresholds) {
-    const MadeUp made_up;
-    const Polyline line = made_up.lines(all_opaque()).lines.at(0);
+    const Synthetic synthetic;
+    const Polyline line = synthetic.lines(all_opaque()).lines.at(0);
     const std::pair<double LineStyle::*, double> thresholds[] = {
         {&LineStyle::line_slope, line.slope},
         {&LineStyle::segment_slope, line.slope},
@@ -36,36 +36,36 @@ TEST(Fading, RisesAboveTheThresholds) {
         LineStyle style = all_opaque();
         style.fading = 0.4;
         style.*threshold = value / 1.2;
-        EXPECT_NEAR(middle_opacity(made_up.lines(style)), 0.5, 1e-3);
+        EXPECT_NEAR(middle_opacity(synthetic.lines(style)), 0.5, 1e-3);
         style.*threshold = value / 1.5;
-        EXPECT_NEAR(middle_opacity(made_up.lines(style)), 1, 1e-3);
+        EXPECT_NEAR(middle_opacity(synthetic.lines(style)), 1, 1e-3);
     }
 }
 
 TEST(Fading, OpenEndsRunOutOverTheGivenLength) {
     LineStyle style = all_opaque();
     style.end_length = 0.1;
-    const LineSet set = MadeUp().lines(style);
-    const double end = 1 / MadeUp::kDiagonal;  // local distance of the ends from the middle
+    const LineSet set = Synthetic().lines(style);
+    const double end = 1 / Synthetic::kDiagonal;  // local distance of the ends from the middle
     for (const LinePoint& p : set.points) {
-        const double to_end = end - std::abs(p.position.y()) / MadeUp::kDiagonal;
+        const double to_end = end - std::abs(p.position.y()) / Synthetic::kDiagonal;
         EXPECT_NEAR(p.opacity, std::clamp(to_end / 0.1, 0., 1.), 1e-3);
     }
 }
 
 /// At I = facing and ‖∇I‖·D = g the contour is estimated at facing²/(2g) D in the picture.
 TEST(Fading, SparesTheNeighbourhoodOfContours) {
-    MadeUp made_up;
-    made_up.facing = 0.2;
-    const double distance = 0.2 * 0.2 / (2 * MadeUp::kDiagonal);
+    Synthetic synthetic;
+    synthetic.facing = 0.2;
+    const double distance = 0.2 * 0.2 / (2 * Synthetic::kDiagonal);
     LineStyle style = all_opaque();
     style.shows[LineKind::Contour] = true;
     style.contour_clearance = distance / 0.75;  // half-way from fading to gone
-    EXPECT_NEAR(middle_opacity(made_up.lines(style)), 0.5, 2e-2);
+    EXPECT_NEAR(middle_opacity(synthetic.lines(style)), 0.5, 2e-2);
     style.contour_clearance = 2.1 * distance;
-    EXPECT_EQ(middle_opacity(made_up.lines(style)), 0);
+    EXPECT_EQ(middle_opacity(synthetic.lines(style)), 0);
     style.shows[LineKind::Contour] = false;  // nothing is doubled
-    EXPECT_EQ(middle_opacity(made_up.lines(style)), 1);
+    EXPECT_EQ(middle_opacity(synthetic.lines(style)), 1);
 }
 
 /// 1, but 0 where −v·Sv is a tenth of ‖Sv‖ or more, for the torus of radii 1 and 0.4.
@@ -101,10 +101,10 @@ TEST(Fading, ContoursThinOutWhereTheSurfaceIsConcaveAlongTheView) {
 }
 
 TEST(Detail, MovesEachThreshold) {
-    const MadeUp made_up;
-    const Polyline line = made_up.lines(all_opaque()).lines.at(0);
+    const Synthetic synthetic;
+    const Polyline line = synthetic.lines(all_opaque()).lines.at(0);
     const std::pair<double LineStyle::*, double> thresholds[] = {
-        {&LineStyle::gradient_threshold, MadeUp::kDiagonal},
+        {&LineStyle::gradient_threshold, Synthetic::kDiagonal},
         {&LineStyle::segment_slope, line.slope},
         {&LineStyle::line_slope, line.slope},
         {&LineStyle::strength_threshold, line.strength},
@@ -112,23 +112,23 @@ TEST(Detail, MovesEachThreshold) {
     for (const auto& [threshold, value] : thresholds) {
         LineStyle style = all_opaque();
         style.*threshold = 1.1 * value;
-        EXPECT_FALSE(made_up.is_drawn(style));
+        EXPECT_FALSE(synthetic.is_drawn(style));
         style.detail = 70;
-        EXPECT_TRUE(made_up.is_drawn(style));
+        EXPECT_TRUE(synthetic.is_drawn(style));
         style.*threshold = 0.9 * value;
         style.detail = 30;
-        EXPECT_FALSE(made_up.is_drawn(style));
+        EXPECT_FALSE(synthetic.is_drawn(style));
     }
 }
 
 TEST(Detail, DrawsFaintLinesInFull) {
-    const MadeUp made_up;
+    const Synthetic synthetic;
     LineStyle style = all_opaque();
-    style.full_slope = 20 * double(made_up.lines(style).lines.at(0).slope);
+    style.full_slope = 20 * double(synthetic.lines(style).lines.at(0).slope);
     const auto most = [&](double detail) {
         style.detail = detail;
         float weight = 0;
-        for (const LinePoint& point : made_up.lines(style).points)
+        for (const LinePoint& point : synthetic.lines(style).points)
             weight = std::max(weight, point.weight);
         return weight;
     };
@@ -188,8 +188,8 @@ TEST(LineSmoothing, KeepsTheLinesAndTheirEnds) {
 TEST(LineSmoothing, LeavesStraightLinesStraight) {
     LineStyle style = helpers::all_laplacian_lines();
     style.line_smoothing = 3;
-    for (const LinePoint& p : MadeUp().lines(style).points)
-        EXPECT_NEAR(p.position.x(), MadeUp().offset, 1e-6);
+    for (const LinePoint& p : Synthetic().lines(style).points)
+        EXPECT_NEAR(p.position.x(), Synthetic().offset, 1e-6);
 }
 
 }  // namespace

@@ -9,23 +9,23 @@
 
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
-#include "made_up_line.h"
+#include "synthetic_line.h"
 
 namespace {
 
 using namespace laplacian_lines;
 using helpers::extract;
-using helpers::MadeUp;
+using helpers::Synthetic;
 
 TEST(MadeUpLine, HasTheMeasuresThatItWasMadeWith) {
-    MadeUp made_up;
-    made_up.gradient = -1.5;
-    made_up.slope = 3;
-    made_up.kernel_size = 0.5;
-    const LineSet set = made_up.lines(helpers::all_laplacian_lines());
+    Synthetic synthetic;
+    synthetic.gradient = -1.5;
+    synthetic.slope = 3;
+    synthetic.kernel_size = 0.5;
+    const LineSet set = synthetic.lines(helpers::all_laplacian_lines());
     ASSERT_EQ(set.lines.size(), 1u);
     const Polyline& line = set.lines[0];
-    const double d = MadeUp::kDiagonal;
+    const double d = Synthetic::kDiagonal;
     EXPECT_EQ(line.kind, LineKind::Laplacian);
     EXPECT_FALSE(line.closed);
     EXPECT_NEAR(line.length, 2 / d, 1e-5);
@@ -34,50 +34,50 @@ TEST(MadeUpLine, HasTheMeasuresThatItWasMadeWith) {
     EXPECT_EQ(set.segment_count(), line.count - 1);
     for (const LinePoint& p : set.points) {
         EXPECT_NEAR(p.gradient, 1.5 * d, 1e-4);
-        EXPECT_NEAR(p.position.x(), made_up.offset, 1e-6);
+        EXPECT_NEAR(p.position.x(), synthetic.offset, 1e-6);
     }
 }
 
 /// Just below the line's value a threshold keeps it, just above it drops it.
-void expect_threshold(const MadeUp& made_up, double LineStyle::*threshold, double value) {
+void expect_threshold(const Synthetic& synthetic, double LineStyle::*threshold, double value) {
     LineStyle style = helpers::all_laplacian_lines();
     style.*threshold = 0.999 * value;
-    EXPECT_TRUE(made_up.is_drawn(style));
+    EXPECT_TRUE(synthetic.is_drawn(style));
     style.*threshold = 1.001 * value;
-    EXPECT_FALSE(made_up.is_drawn(style));
+    EXPECT_FALSE(synthetic.is_drawn(style));
 }
 
 TEST(Thresholds, Gradient) {
-    MadeUp made_up;
-    made_up.gradient = -0.7;
-    expect_threshold(made_up, &LineStyle::gradient_threshold, 0.7 * MadeUp::kDiagonal);
+    Synthetic synthetic;
+    synthetic.gradient = -0.7;
+    expect_threshold(synthetic, &LineStyle::gradient_threshold, 0.7 * Synthetic::kDiagonal);
 }
 
 TEST(Thresholds, Strength) {
-    MadeUp made_up;
-    made_up.gradient = -0.7;
-    expect_threshold(made_up, &LineStyle::strength_threshold, 0.7 * 2);
+    Synthetic synthetic;
+    synthetic.gradient = -0.7;
+    expect_threshold(synthetic, &LineStyle::strength_threshold, 0.7 * 2);
 }
 
 TEST(Thresholds, Slopes) {
-    MadeUp made_up;
-    made_up.slope = 2;
-    made_up.kernel_size = 0.4;
-    expect_threshold(made_up, &LineStyle::segment_slope, 2 * 0.064);
-    expect_threshold(made_up, &LineStyle::line_slope, 2 * 0.064);
+    Synthetic synthetic;
+    synthetic.slope = 2;
+    synthetic.kernel_size = 0.4;
+    expect_threshold(synthetic, &LineStyle::segment_slope, 2 * 0.064);
+    expect_threshold(synthetic, &LineStyle::line_slope, 2 * 0.064);
 }
 
 TEST(Thresholds, ShortestLine) {
-    expect_threshold(MadeUp(), &LineStyle::shortest_line, 2 / MadeUp::kDiagonal);
+    expect_threshold(Synthetic(), &LineStyle::shortest_line, 2 / Synthetic::kDiagonal);
 }
 
 TEST(Thresholds, LeastFacing) {
     for (double facing : {0.8, 0.3, 0.05}) {
-        MadeUp made_up;
-        made_up.facing = facing;
-        expect_threshold(made_up, &LineStyle::least_facing, facing);
+        Synthetic synthetic;
+        synthetic.facing = facing;
+        expect_threshold(synthetic, &LineStyle::least_facing, facing);
     }
-    MadeUp back;
+    Synthetic back;
     back.facing = -0.4;
     LineStyle style = helpers::all_laplacian_lines();
     style.least_facing = -0.41;
@@ -89,7 +89,7 @@ TEST(Thresholds, LeastFacing) {
 TEST(Thresholds, PhantomsAreCrossingsWhereTheGradientIsSmallest) {
     LineStyle style = helpers::all_laplacian_lines();
     style.reject_phantoms = true;
-    MadeUp edge, phantom;
+    Synthetic edge, phantom;
     phantom.gradient = 1;
     EXPECT_TRUE(edge.is_drawn(style));
     EXPECT_FALSE(phantom.is_drawn(style));
@@ -102,9 +102,9 @@ TEST(Weights, GrowFromZeroToOneOverTheFullSlope) {
     style.segment_slope = 1;
     style.full_slope = 2;
     for (const auto& [slope, weight] : {std::pair(1.1, 0.05), {2.0, 0.5}, {3.0, 1.0}, {9.0, 1.0}}) {
-        MadeUp made_up;
-        made_up.slope = slope;
-        const LineSet lines = made_up.lines(style);
+        Synthetic synthetic;
+        synthetic.slope = slope;
+        const LineSet lines = synthetic.lines(style);
         ASSERT_EQ(lines.lines.size(), 1u);
         for (const LinePoint& p : lines.points)
             EXPECT_NEAR(p.weight, weight, 1e-3);
@@ -137,9 +137,9 @@ LineStyle single_strokes() {
 const Eigen::Vector3d kRight(0.3, 0, 1), kLeft(-0.3, 0, 1), kAbove(0, 0, 1);
 
 bool is_drawn(double gradient, const View& view) {
-    MadeUp made_up;
-    made_up.gradient = gradient;
-    return !helpers::extract(made_up.extractor(), view, single_strokes()).lines.empty();
+    Synthetic synthetic;
+    synthetic.gradient = gradient;
+    return !helpers::extract(synthetic.extractor(), view, single_strokes()).lines.empty();
 }
 
 /// l·S l = 2 gradient l_x l_z.
@@ -162,8 +162,8 @@ TEST(SingleStrokes, FollowALightElsewhere) {
 TEST(SingleStrokes, FadeInFromConvexToConcave) {
     const Eigen::Vector3d l = Eigen::Vector3d(0, 0.6, 0.8);
     for (const double trace : {0.08, 0.03, -0.05, -0.2, -0.4}) {
-        MadeUp made_up;
-        made_up.trace = trace;
+        Synthetic synthetic;
+        synthetic.trace = trace;
         const double measure = -trace * l.y() / std::hypot(l.z(), trace * l.y());
         const double expected = std::clamp((measure + 0.1) / 0.3, 0., 1.);
         for (const bool at_eye : {true, false}) {
@@ -171,7 +171,7 @@ TEST(SingleStrokes, FadeInFromConvexToConcave) {
             if (!at_eye) view.light = l;
             LineStyle style = single_strokes();
             style.fading = 0.4;
-            const LineSet set = helpers::extract(made_up.extractor(), view, style);
+            const LineSet set = helpers::extract(synthetic.extractor(), view, style);
             ASSERT_EQ(set.lines.size(), 1u);
             EXPECT_NEAR(set.points[set.points.size() / 2].opacity, expected, 1e-3);
         }

@@ -286,7 +286,7 @@ TEST(LineVisibility, ContoursOfOpenSurfacesAreSeenFromInside) {
 }
 
 /// Edges between front and back, in D.
-float plain_contour_length(const TriangleMesh& mesh, const View& view, double d) {
+float contour_edge_length(const TriangleMesh& mesh, const View& view, double d) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> facing;
     for (const Triangle& t : mesh.triangles) {
         const Vector3d &a = mesh.positions[t[0]], &b = mesh.positions[t[1]],
@@ -362,7 +362,7 @@ TEST(LineVisibility, SeenAndHiddenContoursAreAllThereAre) {
     const Scene scene{test_meshes::bumpy_sphere(5).mesh};
     for (const View& view : {kAslant, View::perspective({2, 1, -3})}) {
         const LineParts parts = scene.parts(view, helpers::all_contours());
-        const float whole = plain_contour_length(scene.mesh, view, scene.field.scale.diagonal);
+        const float whole = contour_edge_length(scene.mesh, view, scene.field.scale.diagonal);
         EXPECT_GT(total_length(parts.hidden), 0.05f * whole);
         EXPECT_NEAR(total_length(parts.seen) + total_length(parts.hidden), whole, 0.02f * whole);
     }
@@ -375,7 +375,8 @@ float length_with_small_ball(double radius, double x, double shortest_contour) {
     for (Vector3d& p : small.positions)
         p = radius * p + Vector3d(x, 0, 2);
     test_meshes::append(mesh, small);
-    const SightOptions options{helpers::all_contours().shows, 0, false, false, shortest_contour};
+    const VisibilityOptions options{helpers::all_contours().shows, 0, false, false,
+                                    shortest_contour};
     const auto view = View::orthographic({0, 0, 1});
     return total_length(LineVisibility(mesh).parts(view, {}, options).seen);
 }
@@ -400,7 +401,7 @@ TEST(LineVisibility, DrawsTheCreasesOfEachLook) {
     fewer.lines.resize(1);
     std::vector<float> lengths;
     for (const LineSet& lines : {creases, fewer, creases}) {
-        const SightOptions options{style.shows, 0, true};
+        const VisibilityOptions options{style.shows, 0, true};
         const LineParts kept = scene.visibility.parts(kAslant, {lines}, options),
                         anew = LineVisibility(scene.mesh).parts(kAslant, {lines}, options);
         EXPECT_TRUE(helpers::same_lines(kept.seen, anew.seen));

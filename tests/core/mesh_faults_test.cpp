@@ -47,7 +47,7 @@ TEST(Orientation, ClosedBodiesAreReadTheRightWayRound) {
             TriangleMesh turned = mesh_named(name).mesh;
             flip_triangles(turned, every);
             expect_same_bits(mesh_named(name).mesh, turned);
-            EXPECT_GT(precompute(turned).report.turned_triangles, 0u);
+            EXPECT_GT(precompute(turned).report.flipped_triangles, 0u);
         }
 }
 
@@ -66,7 +66,7 @@ TEST(Orientation, CavitiesStay) {
     for (const bool is_inverted : {false, true}) {
         if (is_inverted) mesh = inside_out(mesh);
         const Field field = precompute(mesh);
-        EXPECT_EQ(field.report.turned_triangles, is_inverted ? mesh.triangles.size() : 0);
+        EXPECT_EQ(field.report.flipped_triangles, is_inverted ? mesh.triangles.size() : 0);
         EXPECT_GT(facing(field, mesh, {1, 2, 3}, 0.9, 1.1), 0.99);
         EXPECT_LT(facing(field, mesh, {1, 2, 3}, 0.7, 0.9), -0.99);
         EXPECT_GT(facing(field, mesh, {1, 2, 3}, 0, 0.5), 0.99);
@@ -91,7 +91,7 @@ TriangleMesh touching_cubes(const Eigen::Vector3d& by, double size) {
 TEST(Orientation, BodiesThatTouchAreBodiesOfTheirOwn) {
     for (const TriangleMesh& mesh :
          {touching_cubes({1.5, 1.5, 1.5}, 0.5), touching_cubes({2, 2, 0}, 1)})
-        EXPECT_EQ(precompute(mesh).report.turned_triangles, 12u);
+        EXPECT_EQ(precompute(mesh).report.flipped_triangles, 12u);
 }
 
 TEST(Orientation, OpenSurfacesKeepTheSideOfMostOfTheirArea) {
@@ -99,7 +99,7 @@ TEST(Orientation, OpenSurfacesKeepTheSideOfMostOfTheirArea) {
     TriangleMesh few = hills;
     flip_triangles(few, 3);
     EXPECT_EQ(precompute(few).normals, precompute(hills).normals);
-    EXPECT_EQ(precompute(inside_out(hills)).report.turned_triangles, 0u);
+    EXPECT_EQ(precompute(inside_out(hills)).report.flipped_triangles, 0u);
 }
 
 /// Folds back by a thousandth of the diagonal of a square that is cut in four.
@@ -139,7 +139,7 @@ TriangleMesh shrunk_triangles(const TriangleMesh& whole) {
 
 /// By design; all others are sound.
 TEST(MeshFaults, AreThoseThatTestMeshesAreMadeWith) {
-    std::map<std::string, Faults> faulty = {{"flipped_torus", {MeshFault::Turned}},
+    std::map<std::string, Faults> faulty = {{"flipped_torus", {MeshFault::Flipped}},
                                             {"triangle_soup", {MeshFault::Torn}}};
     for (const std::string& name : mesh_names())
         EXPECT_EQ(faults_found(mesh_named(name).mesh), faulty[name]) << name;
@@ -163,7 +163,7 @@ TEST(MeshFaults, OfTrianglesTurnedHereAndThere) {
     for (const char* name : {"sphere", "hills"})
         for (int every : {2, 3, 20})
             EXPECT_EQ(faults_found(flipped(mesh_named(name).mesh, every)),
-                      Faults{MeshFault::Turned})
+                      Faults{MeshFault::Flipped})
                 << name << every;
     EXPECT_EQ(faults_found(test_meshes::moebius_strip(60, 8)), Faults());  // one edge across
     EXPECT_EQ(faults_found(flipped(test_meshes::moebius_strip(60, 8), 3)),

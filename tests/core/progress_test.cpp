@@ -59,7 +59,7 @@ const Work kAllWork[] = {
     {"Look",
      [](const Progress& progress) {
          static const LineVisibility visibility(mesh());
-         (void)visibility.look(View::orthographic({1, 2, 3}), {}, {}, progress);
+         (void)visibility.visible_lines(View::orthographic({1, 2, 3}), {}, {}, progress);
      },
      0.7},
 };

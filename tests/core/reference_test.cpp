@@ -14,13 +14,13 @@
 namespace {
 
 using namespace laplacian_lines;
-using helpers::plain_options;
 using helpers::relative_error;
+using helpers::uncorrected_options;
 
 TEST(ReferenceField, HasTheSameNormals) {
     const TriangleMesh& mesh = test_meshes::mesh_named("bumpy_sphere").mesh;
     for (auto weighting : {NormalWeighting::Area, NormalWeighting::Angle, NormalWeighting::Max}) {
-        PrecomputeOptions options = plain_options(0);
+        PrecomputeOptions options = uncorrected_options(0);
         options.normal_weighting = weighting;
         EXPECT_LT(
             relative_error(precompute(mesh, options).normals, reference::normals(mesh, weighting)),
@@ -32,7 +32,7 @@ TEST(ReferenceField, HasTheSameSmoothedNormals) {
     for (const char* name : {"torus_jittered", "hills"})
         for (const double angle : {0., 8., 90.}) {  // 0: Gaussian
             const TriangleMesh& mesh = test_meshes::mesh_named(name).mesh;
-            PrecomputeOptions options = plain_options(0);
+            PrecomputeOptions options = uncorrected_options(0);
             options.normal_smoothing =
                 angle > 0 ? NormalSmoothing::Bilateral : NormalSmoothing::Gaussian;
             options.normal_sigma = 1.3;
@@ -62,7 +62,7 @@ TEST(ReferenceField, HasTheSameLaplacianAsAccuratelyAsAskedFor) {
           test_meshes::hills(40, 0.2).mesh, bent_wall()})
         for (const double size : {2., 12.})
             for (const bool skip : {false, true}) {
-                PrecomputeOptions options = plain_options(size * reference::mean_edge(mesh));
+                PrecomputeOptions options = uncorrected_options(size * reference::mean_edge(mesh));
                 options.skip_opposite_sheet = skip;
                 const auto expected = reference::laplacian(
                     mesh, reference::normals(mesh, NormalWeighting::Area),
@@ -82,7 +82,7 @@ TEST(ReferenceField, HasTheSameAdaptiveKernels) {
         test_meshes::grid_mesh({40, 40, false, false, 0.15}, [](double u, double v) {
             return test_meshes::hills_point(std::exp(2.3 * u) / 5 - 1, std::exp(2.3 * v) / 5 - 1);
         });
-    PrecomputeOptions options = plain_options(0.1);
+    PrecomputeOptions options = uncorrected_options(0.1);
     options.kernel_mode = KernelMode::Adaptive;
     options.accuracy = 1e-4;
     const Field field = precompute(graded.mesh, options);

@@ -124,7 +124,7 @@ TEST(Ridges, NeedTheirAngle) {
 
 /// Two slopes that meet at y = 0 and turn there by so many degrees: `most` at x = 0, nothing at
 /// x = 1, in proportion between.
-TriangleMesh fading_arris(double most) {
+TriangleMesh fading_edge(double most) {
     return test_meshes::grid_mesh({160, 160}, [&](double u, double v) {
         const double y = v - 0.5, slope = std::tan(most * (1 - u) / 2 * 3.14159265358979 / 180);
         return Eigen::Vector3d(u, y, -slope * std::sqrt(y * y + 0.01 * 0.01));
@@ -136,7 +136,7 @@ TEST(Ridges, GoOnWhereTheyAreWeaker) {
     LineStyle style = only_ridges();
     const auto reach = [&](double most) {
         float reach = 0;
-        for (const LinePoint& p : ridges(fading_arris(most), style).points)
+        for (const LinePoint& p : ridges(fading_edge(most), style).points)
             reach = std::max(reach, p.position.x());
         return reach;
     };

@@ -82,7 +82,7 @@ View wild_view(const TriangleMesh& mesh, Bytes& bytes) {
 }
 
 /// Any numbers, as far as there are bytes.
-Field made_up_field(const TriangleMesh& mesh, Bytes& bytes) {
+Field random_field(const TriangleMesh& mesh, Bytes& bytes) {
     Field field;
     field.scale = measure_scale(mesh);
     for (const FieldColumn& column : kFieldColumns) {
@@ -103,8 +103,8 @@ bool is_positive(const FieldScale& s) {
 }
 
 /// Of what is seen and hidden, in space and in the picture.
-std::string look_complaint(const TriangleMesh& mesh, const LineExtractor& extractor,
-                           const View& view, const LineStyle& style) {
+std::string visibility_violation(const TriangleMesh& mesh, const LineExtractor& extractor,
+                                 const View& view, const LineStyle& style) {
     const LineVisibility visibility(mesh);
     ExtractionScratch scratch;
     const LineSet lines = extract_on_surface(extractor, view, style, scratch);
@@ -112,8 +112,8 @@ std::string look_complaint(const TriangleMesh& mesh, const LineExtractor& extrac
     for (const bool in_picture : {false, true}) {
         const LineParts parts =
             visibility.parts(view, {lines}, {style.shows, style.line_smoothing, true, in_picture});
-        if (found.empty()) found = complaint(parts.seen);
-        if (found.empty()) found = complaint(parts.hidden);
+        if (found.empty()) found = violation(parts.seen);
+        if (found.empty()) found = violation(parts.hidden);
     }
     return found;
 }
@@ -124,17 +124,17 @@ std::string lines_complaint(const TriangleMesh& mesh, const Field& field, Bytes&
     const LineStyle style = bytes.byte() % 2 ? helpers::all_crossings_of_all_kinds()
                                              : wild_options(line_style_table(), bytes);
     const LineSet lines = helpers::extract(extractor, view, style);
-    std::string found = complaint(lines);
+    std::string found = violation(lines);
     if (found.empty() && !helpers::same_lines(lines, helpers::extract(extractor, view, style)))
         found = "the same view gives other lines";
     if (found.empty() && mesh.triangles.size() <= kMostTrianglesForRays)
-        found = look_complaint(mesh, extractor, view, style);
+        found = visibility_violation(mesh, extractor, view, style);
     return found;
 }
 
 }  // namespace
 
-std::string complaint(const TriangleMesh& mesh, const Field& field) {
+std::string violation(const TriangleMesh& mesh, const Field& field) {
     const std::size_t n = mesh.positions.size();
     if (!has_entries(field, n)) return "the field has another number of vertices";
     if (!is_positive(field.scale)) return "a length of the scale is not positive and finite";
@@ -153,7 +153,7 @@ std::string complaint(const TriangleMesh& mesh, const Field& field) {
     return {};
 }
 
-std::string complaint(const LineSet& lines) {
+std::string violation(const LineSet& lines) {
     std::size_t points = 0;
     for (const Polyline& line : lines.lines) {
         if (line.first != points) return "lines are not one after the other";
@@ -175,15 +175,15 @@ std::string complaint(const LineSet& lines) {
     return {};
 }
 
-std::string complaint_of_bytes(const std::uint8_t* first, std::size_t size) {
+std::string violation_of_bytes(const std::uint8_t* first, std::size_t size) {
     Bytes bytes(first, size);
     PrecomputeOptions options = wild_options(precompute_option_table(), bytes);
     options.curvature_derivatives = true;
     const bool makes_up = bytes.byte() % 4 == 1;
     const TriangleMesh mesh = wild_mesh(bytes);
     try {
-        const Field field = makes_up ? made_up_field(mesh, bytes) : precompute(mesh, options);
-        const std::string found = makes_up ? "" : complaint(mesh, field);
+        const Field field = makes_up ? random_field(mesh, bytes) : precompute(mesh, options);
+        const std::string found = makes_up ? "" : violation(mesh, field);
         return found.empty() ? lines_complaint(mesh, field, bytes) : found;
     } catch (const Error& error) {
         const std::string sentence = error.what();

@@ -13,13 +13,13 @@
 // as text, or nothing.
 namespace wild {
 
-std::string complaint(const laplacian_lines::TriangleMesh& mesh,
+std::string violation(const laplacian_lines::TriangleMesh& mesh,
                       const laplacian_lines::Field& field);
-std::string complaint(const laplacian_lines::LineSet& lines);
+std::string violation(const laplacian_lines::LineSet& lines);
 
 /// A mesh of up to 255 vertices, options, style and view from bytes, through all of the core, with
 /// its own or a made-up field; errors are fine.
-std::string complaint_of_bytes(const std::uint8_t* bytes, std::size_t size);
+std::string violation_of_bytes(const std::uint8_t* bytes, std::size_t size);
 
 /// From these bytes it makes this mesh, or its beginning.
 std::vector<std::uint8_t> bytes_of(const laplacian_lines::TriangleMesh& mesh);

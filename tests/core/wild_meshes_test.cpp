@@ -14,7 +14,7 @@
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/precompute.h"
-#include "places.h"
+#include "test_paths.h"
 #include "wild_case.h"
 
 namespace {
@@ -67,7 +67,7 @@ TriangleMesh one_face_often() {
 }
 
 /// Sharing one vertex, with an unused one.
-TriangleMesh kissing_spheres() {
+TriangleMesh touching_spheres() {
     TriangleMesh mesh = icosphere(2), other = mesh;
     for (Eigen::Vector3d& p : other.positions)
         p = 2 * mesh.positions[0] - p;
@@ -115,7 +115,7 @@ const std::vector<WildMesh>& wild_meshes() {
              return with(small_torus(), moved(small_torus(), {0.3, 0, 0}));
          }},
         {"nested spheres", [=] { return with(icosphere(3), moved(icosphere(3), here, 0.99)); }},
-        {"kissing spheres", kissing_spheres},
+        {"touching spheres", touching_spheres},
         {"scattered tetrahedra", scattered_tetrahedra},
         {"cut apart", [] { return cut_apart(small_torus()); }},
         {"soup", soup},
@@ -179,7 +179,7 @@ std::vector<View> usual_and_odd_views(const TriangleMesh& mesh, double diagonal)
 
 void expect_sound_field(const TriangleMesh& mesh) {
     const Field field = helpers::complete_field(mesh);
-    ASSERT_EQ(wild::complaint(mesh, field), "");
+    ASSERT_EQ(wild::violation(mesh, field), "");
     std::size_t not_finite = 0, zeros = 0;
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         not_finite += !mesh.positions[v].allFinite();
@@ -198,7 +198,7 @@ void expect_sound_lines(const TriangleMesh& mesh) {
     everything.detail = 100;
     for (const View& view : usual_and_odd_views(mesh, field.scale.diagonal))
         for (const LineStyle& style : {everything, helpers::all_crossings_of_all_kinds()})
-            EXPECT_EQ(wild::complaint(helpers::extract(extractor, view, style)), "")
+            EXPECT_EQ(wild::violation(helpers::extract(extractor, view, style)), "")
                 << view.eye.transpose() << ", " << view.w;
     const View view = View::perspective({3 * field.scale.diagonal, 0, 0});
     const LineVisibility visibility(mesh);
@@ -207,7 +207,7 @@ void expect_sound_lines(const TriangleMesh& mesh) {
     for (const bool in_picture : {false, true}) {
         const LineParts parts =
             visibility.parts(view, {on_surface}, {everything.shows, 1.2, true, in_picture});
-        EXPECT_EQ(wild::complaint(parts.seen) + wild::complaint(parts.hidden), "");
+        EXPECT_EQ(wild::violation(parts.seen) + wild::violation(parts.hidden), "");
     }
 }
 
@@ -248,7 +248,7 @@ TEST(WildMeshes, HaveFiniteFieldsWithAnyOptions) {
             options.accuracy = 0.01;
             if (i > 6) options.kernel_size = std::pow(10, 90 * (i - 9));  // none reached, or all
             const TriangleMesh& mesh = mesh_named(name).mesh;
-            EXPECT_EQ(wild::complaint(mesh, precompute(mesh, options)), "") << name << ' ' << i;
+            EXPECT_EQ(wild::violation(mesh, precompute(mesh, options)), "") << name << ' ' << i;
         }
 }
 
@@ -266,17 +266,17 @@ TEST(WildInput, OfMeshesWithChangedBytes) {
             bytes[random() % bytes.size()] = std::uint8_t(random());
         for (int more = 0; more < 60; ++more)
             bytes.push_back(std::uint8_t(random()));
-        ASSERT_EQ(wild::complaint_of_bytes(bytes.data(), bytes.size()), "") << "round " << round;
+        ASSERT_EQ(wild::violation_of_bytes(bytes.data(), bytes.size()), "") << "round " << round;
     }
 }
 
 TEST(WildInput, ThatOnceDidHarm) {
     std::size_t count = 0;
     for (const auto& file :
-         std::filesystem::directory_iterator(places::repository() / "tests/fuzz/found")) {
+         std::filesystem::directory_iterator(test_paths::repository() / "tests/fuzz/found")) {
         std::ifstream in(file.path(), std::ios::binary);
         const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(in), {}};
-        EXPECT_EQ(wild::complaint_of_bytes(bytes.data(), bytes.size()), "") << file.path();
+        EXPECT_EQ(wild::violation_of_bytes(bytes.data(), bytes.size()), "") << file.path();
         ++count;
     }
     EXPECT_GT(count, 0u);

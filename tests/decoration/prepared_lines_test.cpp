@@ -46,7 +46,7 @@ TEST_F(PreparedLinesTest, GetDerivativesWithoutBeingPreparedAgain) {
     said_.clear();
     add_derivatives(*lines, mesh_, "sheet", source, say());
     EXPECT_TRUE(lines->has_derivatives);
-    EXPECT_EQ(lines->lack, "");
+    EXPECT_EQ(lines->missing_reason, "");
     EXPECT_EQ(lines->surface, surface);
     EXPECT_EQ(lines_of(*lines).points.size(), lines_of(*whole).points.size());
     EXPECT_EQ(lines->bytes, whole->bytes) << "the field is not kept any longer";
@@ -63,12 +63,12 @@ TEST_F(PreparedLinesTest, StayAsTheyAreWithoutDerivatives) {
     make_sheet(other, 20);
     add_derivatives(*lines, other, "other", field_source(other), say());
     EXPECT_FALSE(lines->has_derivatives);
-    EXPECT_NE(lines->lack, "");
+    EXPECT_NE(lines->missing_reason, "");
     EXPECT_EQ(lines->failure, "");
     EXPECT_EQ(lines_of(*lines).points.size(), points);
     add_derivatives(*lines, mesh_, "sheet", source, say());
     EXPECT_TRUE(lines->has_derivatives);
-    EXPECT_EQ(lines->lack, "");
+    EXPECT_EQ(lines->missing_reason, "");
 }
 
 }  // namespace

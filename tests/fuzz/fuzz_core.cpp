@@ -6,7 +6,7 @@
 #include "wild_case.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-    const std::string found = wild::complaint_of_bytes(bytes, size);
+    const std::string found = wild::violation_of_bytes(bytes, size);
     if (found.empty()) return 0;
     std::fprintf(stderr, "core: %s\n", found.c_str());
     std::abort();

@@ -6,13 +6,13 @@
 #include <cmath>
 
 #include "laplacian_lines/error.h"
-#include "made_sheets.h"
+#include "sheet_helpers.h"
 
 using namespace line_drawing;
 using Eigen::Vector3d;
 using laplacian_lines::TriangleMesh;
-using made_sheets::layer_of;
-using made_sheets::painter_path;
+using sheet_helpers::layer_of;
+using sheet_helpers::painter_path;
 
 namespace {
 
@@ -55,27 +55,27 @@ TriangleMesh sherd_of(const TriangleMesh& mesh, double degrees) {
 
 TEST(HalfSection, IsRefusedOfWhatIsNoVessel) {
     const auto draw = [](const TriangleMesh& mesh) {
-        return made_sheets::sheet_of(mesh, vessel_options());
+        return sheet_helpers::sheet_of(mesh, vessel_options());
     };
-    EXPECT_THROW(draw(made_sheets::cube_of100()), laplacian_lines::Error);
+    EXPECT_THROW(draw(sheet_helpers::cube_of100()), laplacian_lines::Error);
     EXPECT_THROW(draw(turned_aside(small_vessel(), 20)), laplacian_lines::Error);
     EXPECT_THROW(draw(sherd_of(small_vessel(), 60)), laplacian_lines::Error);
-    const Sheet sheet = made_sheets::sheet_of(sherd_of(small_vessel(), 270), vessel_options());
+    const Sheet sheet = sheet_helpers::sheet_of(sherd_of(small_vessel(), 270), vessel_options());
     ASSERT_EQ(sheet.remarks.size(), 1);
     EXPECT_EQ(sheet.remarks[0].find("Vessel: rim 7"), 0u) << sheet.remarks[0];
-    EXPECT_NE(joined(made_sheets::texts_of(sheet), "|").find("rim 7"), std::string::npos);
+    EXPECT_NE(joined(sheet_helpers::texts_of(sheet), "|").find("rim 7"), std::string::npos);
 }
 
 TEST(HalfSection, DrawsTheWallOnTheLeftAndTheOutsideOnTheRight) {
-    const Sheet sheet = made_sheets::sheet_of(small_vessel(0), vessel_options());
+    const Sheet sheet = sheet_helpers::sheet_of(small_vessel(0), vessel_options());
     const SheetGroup& vessel = sheet.groups.at(0);
     EXPECT_EQ(vessel.key, "vessel");
     const SheetLayer& wall = layer_of(vessel, "section");
-    QRectF all = made_sheets::extent_of(vessel);
+    QRectF all = sheet_helpers::extent_of(vessel);
     double area = 0;
     for (const SheetPath& path : wall.paths) {
         EXPECT_LE(painter_path(path.path).boundingRect().right(), all.center().x() + 0.05);
-        if (path.pen_width == 0) area += made_sheets::area_of(path);
+        if (path.pen_width == 0) area += sheet_helpers::area_of(path);
     }
     double expected = 0;  // of the profile, which ends on the axis
     const auto profile = test_meshes::vessel_profile(2000);
@@ -102,7 +102,7 @@ double share_drawn(const SheetGroup& view, double height, double left, double ri
 
 /// From the left edge to the upright line from end to end, mm.
 double axis_of(const SheetGroup& view) {
-    const QRectF all = made_sheets::extent_of(view);
+    const QRectF all = sheet_helpers::extent_of(view);
     for (const SheetPath& path : layer_of(view, "inner").paths) {
         const QRectF box = painter_path(path.path).boundingRect();
         if (box.width() < 0.01 && box.height() > all.height() - 0.1)
@@ -112,8 +112,8 @@ double axis_of(const SheetGroup& view) {
 }
 
 TEST(HalfSection, HasAnAxisAndLinesThroughRimAndBase) {
-    const Sheet sheet = made_sheets::sheet_of(small_vessel(0), vessel_options());
-    const QRectF all = made_sheets::extent_of(sheet.groups.at(0));
+    const Sheet sheet = sheet_helpers::sheet_of(small_vessel(0), vessel_options());
+    const QRectF all = sheet_helpers::extent_of(sheet.groups.at(0));
     const double middle = all.center().x();
     EXPECT_NEAR(all.left() + axis_of(sheet.groups[0]), middle, 0.2);
     EXPECT_GT(share_drawn(sheet.groups[0], all.top(), middle - 15, middle + 15), 0.95);
@@ -126,7 +126,7 @@ TEST(HalfSection, HasTheAxisOfRevolutionAlsoBesideAHandle) {
     test_meshes::append(mesh,
                         test_meshes::moved(test_meshes::torus(60, 30).mesh, {1100, 107, -300}, 25));
     const auto axis = [](const TriangleMesh& drawn) {
-        return axis_of(made_sheets::sheet_of(drawn, vessel_options()).groups.at(0));
+        return axis_of(sheet_helpers::sheet_of(drawn, vessel_options()).groups.at(0));
     };
     EXPECT_NEAR(axis(mesh), axis(jar), 0.3);
 }
@@ -134,9 +134,9 @@ TEST(HalfSection, HasTheAxisOfRevolutionAlsoBesideAHandle) {
 TEST(HalfSection, StandsBesideAFrontView) {
     SheetOptions options = vessel_options();
     options.views = parse_views("front,vessel", UpAxis::Y);
-    const Sheet sheet = made_sheets::sheet_of(small_vessel(), options);
-    EXPECT_GT(made_sheets::extent_of(sheet.groups[1]).left(),
-              made_sheets::extent_of(sheet.groups[0]).right());
+    const Sheet sheet = sheet_helpers::sheet_of(small_vessel(), options);
+    EXPECT_GT(sheet_helpers::extent_of(sheet.groups[1]).left(),
+              sheet_helpers::extent_of(sheet.groups[0]).right());
 }
 
 }  // namespace

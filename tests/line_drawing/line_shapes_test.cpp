@@ -39,10 +39,10 @@ double turning(const DrawnLine& line) {
 double distance_to(const Points& line, const Vector2d& p) {
     double least = INFINITY;
     for (std::size_t i = 1; i < line.size(); ++i) {
-        const Vector2d &a = line[i - 1], way = line[i] - a;
-        const double length = way.squaredNorm();
-        const double t = length > 0 ? std::clamp(way.dot(p - a) / length, 0., 1.) : 0;
-        least = std::min(least, (a + t * way - p).norm());
+        const Vector2d &a = line[i - 1], span = line[i] - a;
+        const double length = span.squaredNorm();
+        const double t = length > 0 ? std::clamp(span.dot(p - a) / length, 0., 1.) : 0;
+        least = std::min(least, (a + t * span - p).norm());
     }
     return least;
 }
@@ -50,10 +50,10 @@ double distance_to(const DrawnLine& line, const Vector2d& p) {
     return distance_to(positions_of(line), p);
 }
 
-TEST(LineEasing, TakesTheTurnsOutAndStaysWithinReach) {
+TEST(StrokeSmoothing, TakesTheTurnsOutAndStaysWithinReach) {
     const DrawnLine before = zigzag(0.1, 41);
     std::vector<DrawnLine> lines = {before};
-    ease_lines(lines, kReach);
+    smooth_contours(lines, kReach);
     EXPECT_LT(turning(lines[0]), 0.1 * turning(before));
     for (const DrawnPoint& point : lines[0].points)
         EXPECT_LE(distance_to(before, point.position), kReach + 1e-9);
@@ -61,12 +61,12 @@ TEST(LineEasing, TakesTheTurnsOutAndStaysWithinReach) {
     EXPECT_EQ(lines[0].points.back().position, before.points.back().position);
 }
 
-TEST(LineEasing, HasEndsFollow) {
+TEST(StrokeSmoothing, HasEndsFollow) {
     const DrawnLine contour = zigzag(0.1, 41);
     const DrawnLine edge{
         LineClass::Edge, false, {{{10.5, 8}}, {contour.points[21].position, 1, 21, true}}};
     std::vector<DrawnLine> lines = {edge, contour};
-    ease_lines(lines, kReach);
+    smooth_contours(lines, kReach);
     EXPECT_GT((lines[0].points.back().position - contour.points[21].position).norm(), 0.02);
     EXPECT_LT(distance_to(lines[1], lines[0].points.back().position), 0.01);
     EXPECT_EQ(lines[0].points.front().position, edge.points.front().position);
@@ -87,17 +87,17 @@ double sharpest(const DrawnLine& line) {
 
 /// Waves too high to smooth away, with a corner each: what bends least touches its tube smoothly,
 /// what is shortest would not.
-TEST(LineEasing, LeavesNoCorners) {
+TEST(StrokeSmoothing, LeavesNoCorners) {
     const DrawnLine before = zigzag(1.2, 41, false, 2);
     ASSERT_GT(sharpest(before), 60);
     std::vector<DrawnLine> lines = {before};
-    ease_lines(lines, kReach);
+    smooth_contours(lines, kReach);
     EXPECT_LT(sharpest(lines[0]), 25);
     for (const DrawnPoint& point : lines[0].points)
         EXPECT_LE(distance_to(before, point.position), kReach + 1e-9);
 }
 
-TEST(LineEasing, LeavesNoCornerWhereALoopBegins) {
+TEST(StrokeSmoothing, LeavesNoCornerWhereALoopBegins) {
     DrawnLine loop{LineClass::Outline, true, {}};
     for (int i = 0; i <= 40; ++i) {
         const double angle = 3.141592653589793 * (i % 40) / 20, radius = i % 2 ? 3.1 : 3;
@@ -105,7 +105,7 @@ TEST(LineEasing, LeavesNoCornerWhereALoopBegins) {
         loop.points.back().is_exact = false;
     }
     std::vector<DrawnLine> lines = {loop};
-    ease_lines(lines, kReach);
+    smooth_contours(lines, kReach);
     DrawnLine twice = lines[0];
     twice.points.insert(twice.points.end(), twice.points.begin() + 1, twice.points.end());
     EXPECT_LT(sharpest(twice), 5);
@@ -113,10 +113,10 @@ TEST(LineEasing, LeavesNoCornerWhereALoopBegins) {
 }
 
 std::size_t kept(const std::vector<DrawnLine>& lines) {
-    return without_slight_lines(lines, SheetOptions()).size();
+    return without_specks(lines, SheetOptions()).size();
 }
 
-TEST(SlightLines, AreContoursBeforeASmallJumpInDepth) {
+TEST(Specks, AreContoursBeforeASmallJumpInDepth) {
     DrawnLine line = zigzag(0.1, 41);
     line.jump = 0.2;
     EXPECT_EQ(kept({line}), 0u);
@@ -131,7 +131,7 @@ TEST(SlightLines, AreContoursBeforeASmallJumpInDepth) {
 }
 
 /// Curved surfaces' may be three times as long: scans are rough.
-TEST(SlightLines, AreShortContoursThatEndInNothing) {
+TEST(Specks, AreShortContoursThatEndInNothing) {
     DrawnLine contour = zigzag(0, 4);  // 1.5 mm
     contour.jump = 5;
     EXPECT_EQ(kept({contour}), 0u);

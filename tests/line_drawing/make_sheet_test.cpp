@@ -8,16 +8,16 @@
 
 #include "laplacian_lines/error.h"
 #include "line_drawing/sheet_file.h"
-#include "made_sheets.h"
+#include "sheet_helpers.h"
 #include "with_threads.h"
 
 using namespace line_drawing;
-using made_sheets::cube_of100;
-using made_sheets::extent_of;
-using made_sheets::painter_path;
-using made_sheets::plain_views;
-using made_sheets::sheet_of;
-using made_sheets::texts_of;
+using sheet_helpers::cube_of100;
+using sheet_helpers::extent_of;
+using sheet_helpers::painter_path;
+using sheet_helpers::plain_views;
+using sheet_helpers::sheet_of;
+using sheet_helpers::texts_of;
 
 namespace {
 
@@ -165,7 +165,7 @@ TEST(ContactSheets, HoldAllViewsWithoutOverlapOnOnePage) {
     for (const int count : {1, 2, 6, 13, 40, 200}) {
         const Sheet sheet = make_contact_sheet(cubes(count), "Cubes");
         ASSERT_EQ(sheet.groups.size(), std::size_t(count) + 1);
-        const QRectF page = made_sheets::paper_of(sheet.size);
+        const QRectF page = sheet_helpers::paper_of(sheet.size);
         for (int i = 0; i < count; ++i) {
             const QRectF place = extent_of(sheet.groups[std::size_t(i)]);
             EXPECT_GT(place.width(), 30) << count;

@@ -2,12 +2,12 @@
 """others.py PROGRAM: how ezdxf reads DXF files of a cube of 100 mm."""
 
 from harness import *
-from environment.messages import Failure, Obstacle, skip
+from environment.messages import Failure, Unavailable, skip
 from environment.python_environments import ensure_python
 
 try:
     python = ensure_python("drawing_tools", 2, "50 MB", "ezdxf==1.4.5")
-except (Failure, Obstacle) as reason:
+except (Failure, Unavailable) as reason:
     skip(reason)
 write_cube()
 for name, *words in (("1", "--scale", "1:1"), (".5", "--scale", "1:2"), ("cut", "--section", "x=0.5")):

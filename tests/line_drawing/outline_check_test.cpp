@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Outlines are closed and complete; missing parts are found by an independent check.
-#include "sight/observer.h"
+#include "sight/view_builder.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "made_sheets.h"
+#include "sheet_helpers.h"
 
 using namespace line_drawing;
-using made_sheets::cube_of100;
-using made_sheets::layer_of;
-using made_sheets::plain_views;
+using sheet_helpers::cube_of100;
+using sheet_helpers::layer_of;
+using sheet_helpers::plain_views;
 
 namespace {
 
@@ -21,30 +21,30 @@ constexpr double kPixel = 0.25;
 TEST(OutlineCheck, AddsOnlyWhatIsMissing) {
     const laplacian_lines::TriangleMesh cube = cube_of100();
     SheetOptions options = plain_views("front");
-    Observer observer({Object{cube}});
-    observer.prepare({options}, {});
-    DrawnView drawn = observer.stand(options.views[0], options);
-    observer.look(drawn, {}, options, {});
+    ViewBuilder builder({Object{cube}});
+    builder.prepare({options}, {});
+    DrawnView drawn = builder.empty_view(options.views[0], options);
+    builder.add_lines(drawn, {}, options, {});
     const std::size_t whole = drawn.lines.size();
-    EXPECT_EQ(observer.check_outlines(drawn, options, kPixel), 0);
+    EXPECT_EQ(builder.check_outlines(drawn, options, kPixel), 0);
     EXPECT_EQ(drawn.lines.size(), whole);
     for (DrawnLine& line : drawn.lines)  // other classes do not count
         line.line_class = LineClass::Contour;
-    EXPECT_NEAR(observer.check_outlines(drawn, options, kPixel), 400, 4);
-    EXPECT_EQ(observer.check_outlines(drawn, options, kPixel), 0);
+    EXPECT_NEAR(builder.check_outlines(drawn, options, kPixel), 400, 4);
+    EXPECT_EQ(builder.check_outlines(drawn, options, kPixel), 0);
     const auto is_left = [](const DrawnLine& line) {
         return line.points[0].position.x() + line.points[1].position.x() < -90;
     };
     drawn.lines.erase(std::remove_if(drawn.lines.begin(), drawn.lines.end(), is_left),
                       drawn.lines.end());
-    EXPECT_NEAR(observer.check_outlines(drawn, options, kPixel), 100, 2);
-    EXPECT_EQ(observer.check_outlines(drawn, options, kPixel), 0);
+    EXPECT_NEAR(builder.check_outlines(drawn, options, kPixel), 100, 2);
+    EXPECT_EQ(builder.check_outlines(drawn, options, kPixel), 0);
     for (const auto kind :
          {laplacian_lines::LineKind::Contour, laplacian_lines::LineKind::Border}) {
         SheetOptions without = options;
         without.style.shows[kind] = false;
         drawn.lines.clear();
-        EXPECT_EQ(observer.check_outlines(drawn, without, kPixel), 0);
+        EXPECT_EQ(builder.check_outlines(drawn, without, kPixel), 0);
         EXPECT_TRUE(drawn.lines.empty());
     }
 }
@@ -53,7 +53,7 @@ void expect_closed_outlines(const laplacian_lines::TriangleMesh& mesh, const cha
     SheetOptions options = plain_views(views);
     options.views = parse_views(views, UpAxis::Y);
     options.paper = "fit";
-    const Sheet sheet = made_sheets::sheet_of(mesh, options);
+    const Sheet sheet = sheet_helpers::sheet_of(mesh, options);
     EXPECT_TRUE(sheet.remarks.empty()) << joined(sheet.remarks, " ");
     for (const SheetGroup& group : sheet.groups) {
         if (group.key == "sheet") continue;
@@ -80,7 +80,7 @@ TEST(Weights, OfIsoAreTwoToOne) {
     SheetOptions options = plain_views("30,35");
     options.hidden = HiddenLines::Dashed;
     options.pens = pens_of(Weights::Iso);
-    const SheetGroup view = made_sheets::sheet_of(cube_of100(), options).groups[0];
+    const SheetGroup view = sheet_helpers::sheet_of(cube_of100(), options).groups[0];
     for (const char* key : {"outline", "edge"}) {
         EXPECT_FALSE(layer_of(view, key).paths.empty()) << key;
         for (const SheetPath& path : layer_of(view, key).paths)

@@ -88,8 +88,9 @@ TEST(PngFiles, HavePensWithRoundEndsAndJoins) {
     EXPECT_NEAR(ink(stroked({{3, 4}, {7, 4}, {3, 4}}, 4)), 16 + kPi * 4, 0.15);  // there and back
     for (int degrees = 0; degrees < 360; degrees += 35) {
         const Path::Point middle(5, 4),
-            way(2 * std::cos(degrees * kPi / 180), 2 * std::sin(degrees * kPi / 180));
-        EXPECT_NEAR(ink(stroked({middle - way, middle + way}, 0.5)), 4 * 0.5 + kPi * 0.0625, 0.08);
+            span(2 * std::cos(degrees * kPi / 180), 2 * std::sin(degrees * kPi / 180));
+        EXPECT_NEAR(ink(stroked({middle - span, middle + span}, 0.5)), 4 * 0.5 + kPi * 0.0625,
+                    0.08);
     }
 }
 

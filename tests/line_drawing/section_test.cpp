@@ -5,20 +5,20 @@
 
 #include "laplacian_lines/error.h"
 #include "line_drawing/sheet_file.h"
-#include "made_sheets.h"
+#include "sheet_helpers.h"
 
 using namespace line_drawing;
 using laplacian_lines::TriangleMesh;
-using made_sheets::cube_of100;
-using made_sheets::layer_of;
-using made_sheets::painter_path;
-using made_sheets::sheet_of;
+using sheet_helpers::cube_of100;
+using sheet_helpers::layer_of;
+using sheet_helpers::painter_path;
+using sheet_helpers::sheet_of;
 using test_meshes::moved;
 
 namespace {
 
 SheetOptions with_sections(const char* views, const char* sections) {
-    SheetOptions options = made_sheets::plain_views(*views ? views : "front");
+    SheetOptions options = sheet_helpers::plain_views(*views ? views : "front");
     if (!*views) options.views.clear();
     options.sections = parse_sections(sections);
     options.up = UpAxis::Z;
@@ -50,7 +50,7 @@ std::pair<double, std::size_t> wall_of(const TriangleMesh& mesh, const char* sec
     for (const SheetLayer& layer : group.layers)
         for (const SheetPath& path : layer.paths) {
             hatching += layer.key == "fine";
-            if (path.pen_width == 0) area += made_sheets::area_of(path);
+            if (path.pen_width == 0) area += sheet_helpers::area_of(path);
         }
     return {area, hatching};
 }
@@ -61,7 +61,7 @@ TEST(Sections, OfASphereAreCircles) {
         const SheetGroup group = section_of(ball, section);
         EXPECT_EQ(layer_of(group, "section").paths.size(), 1u);
         EXPECT_EQ(open_paths_of(group), 0);
-        EXPECT_NEAR(made_sheets::length_of(layer_of(group, "section")), 2 * M_PI * 0.8 * 40, 0.5);
+        EXPECT_NEAR(sheet_helpers::length_of(layer_of(group, "section")), 2 * M_PI * 0.8 * 40, 0.5);
     }
 }
 
@@ -84,7 +84,7 @@ TEST(Sections, OfASoupAreTheSame) {
 TEST(Sections, ThroughVerticesAreClosedToo) {
     const SheetGroup group = section_of(cube_of100(), "z=0.5");
     EXPECT_EQ(open_paths_of(group), 0);
-    EXPECT_NEAR(made_sheets::length_of(layer_of(group, "section")), 400, 1e-3);
+    EXPECT_NEAR(sheet_helpers::length_of(layer_of(group, "section")), 400, 1e-3);
 }
 
 TEST(Sections, OfOpenSurfacesAreOpen) {
@@ -118,14 +118,14 @@ TEST(Walls, AreHatchedFilledOrEmpty) {
 /// Of a view, without its marks.
 QRectF surface_of(SheetGroup view) {
     if (view.layers.back().key == "marks") view.layers.pop_back();
-    return made_sheets::extent_of(view);
+    return sheet_helpers::extent_of(view);
 }
 
 TEST(SectionMarks, StandWhereThePlaneIsBesideTheSurfaceAndOnThePaper) {
     SheetOptions options = with_sections("front,left,top", "x=0.3 y=0.5 z=0.6");
     options.paper = "fit";
     const Sheet sheet = sheet_of(cube_of100(), options);
-    const QRectF paper = made_sheets::paper_of(sheet.size);
+    const QRectF paper = sheet_helpers::paper_of(sheet.size);
     for (std::size_t view = 0; view < 3; ++view) {
         const SheetLayer& marks = layer_of(sheet.groups[view], "marks");
         EXPECT_EQ(marks.texts.size(), 4u);

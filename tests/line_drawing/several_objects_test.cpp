@@ -3,17 +3,17 @@
 
 #include "laplacian_lines/error.h"
 #include "line_drawing/sheet_file.h"
-#include "made_sheets.h"
+#include "sheet_helpers.h"
 #include "with_threads.h"
 
 using namespace line_drawing;
 using Eigen::Vector3d;
 using laplacian_lines::TriangleMesh;
-using made_sheets::cube_of100;
-using made_sheets::layer_of;
-using made_sheets::length_of;
-using made_sheets::painter_path;
-using made_sheets::plain_views;
+using sheet_helpers::cube_of100;
+using sheet_helpers::layer_of;
+using sheet_helpers::length_of;
+using sheet_helpers::painter_path;
+using sheet_helpers::plain_views;
 using test_meshes::moved;
 
 namespace {
@@ -60,8 +60,8 @@ TEST(SeveralObjects, HaveCommonBoundsAndOneScale) {
     options.scale = 0;
     const Sheet sheet = sheet_of_all({cube, moved(cube, {260, 0, 0})}, options);
     EXPECT_EQ(sheet.scale, 0.5);
-    const QRectF front = made_sheets::extent_of(sheet.groups[0]),
-                 left = made_sheets::extent_of(sheet.groups[1]);
+    const QRectF front = sheet_helpers::extent_of(sheet.groups[0]),
+                 left = sheet_helpers::extent_of(sheet.groups[1]);
     EXPECT_NEAR(front.width(), 360 * sheet.scale, 0.02);
     EXPECT_NEAR(left.width(), 100 * sheet.scale, 0.02);
     EXPECT_NEAR(front.top(), left.top(), 0.02);
@@ -71,9 +71,9 @@ TEST(SeveralObjects, HaveCommonBoundsAndOneScale) {
 std::pair<int, int> hatching_of(const SheetGroup& section) {
     int rising = 0, falling = 0;
     for (const SheetPath& path : layer_of(section, "fine").paths) {
-        const QPointF way =
+        const QPointF span =
             painter_path(path.path).pointAtPercent(1) - painter_path(path.path).pointAtPercent(0);
-        (way.x() * way.y() < 0 ? rising : falling)++;
+        (span.x() * span.y() < 0 ? rising : falling)++;
     }
     return {rising, falling};
 }
@@ -129,8 +129,8 @@ TEST(SeveralObjects, EachHasItsOwnAreaIfWanted) {
     const Sheet sheet = sheet_of_all({moved(cube_of100(), {70, 0, 0}), frame}, options);
     const SheetLayer& layer = layer_of(sheet.groups[0], "area");
     ASSERT_EQ(layer.paths.size(), 2u);
-    EXPECT_NEAR(made_sheets::area_of(layer.paths[0]), 100 * 100, 1e-6);
-    EXPECT_NEAR(made_sheets::area_of(layer.paths[1]), 160 * 160 - 120 * 120, 1e-6);
+    EXPECT_NEAR(sheet_helpers::area_of(layer.paths[0]), 100 * 100, 1e-6);
+    EXPECT_NEAR(sheet_helpers::area_of(layer.paths[1]), 160 * 160 - 120 * 120, 1e-6);
     EXPECT_EQ(layer.paths[0].path.pieces.size(), 5u);  // four corners, and back
     EXPECT_EQ(layer.paths[1].path.pieces.size(), 10u);
     options.area = OutlineArea::Filled;

@@ -7,11 +7,11 @@
 #include <random>
 
 #include "laplacian_lines/error.h"
-#include "made_sheets.h"
+#include "sheet_helpers.h"
 
 using namespace line_drawing;
 using Eigen::Vector2d;
-using made_sheets::painter_path;
+using sheet_helpers::painter_path;
 
 namespace {
 
@@ -38,9 +38,9 @@ TEST(Paths, BoundsAndPointsAreThoseOfCurves) {
             box.extend(p);
             double least = INFINITY;
             for (std::size_t k = 1; k < line.size(); ++k) {
-                const Vector2d way = line[k] - line[k - 1];
-                const double t = std::clamp(way.dot(p - line[k - 1]) / way.squaredNorm(), 0., 1.);
-                least = std::min(least, (line[k - 1] + t * way - p).norm());
+                const Vector2d span = line[k] - line[k - 1];
+                const double t = std::clamp(span.dot(p - line[k - 1]) / span.squaredNorm(), 0., 1.);
+                least = std::min(least, (line[k - 1] + t * span - p).norm());
             }
             ASSERT_LT(least, tolerance) << round;
         }

@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "laplacian_lines/error.h"
-#include "made_sheets.h"
+#include "sheet_helpers.h"
 
 using namespace line_drawing;
 using laplacian_lines::TriangleMesh;
-using made_sheets::extent_of;
-using made_sheets::plain_views;
+using sheet_helpers::extent_of;
+using sheet_helpers::plain_views;
 
 namespace {
 
@@ -29,7 +29,7 @@ SheetOptions fitting(const char* views, const char* paper = "a4") {
 }
 
 Sheet sheet_of(const SheetOptions& options) {
-    return made_sheets::sheet_of(box(), options);
+    return sheet_helpers::sheet_of(box(), options);
 }
 
 /// Of the views on the sheet.
@@ -38,7 +38,7 @@ std::vector<QRectF> places_of(const SheetOptions& options) {
     std::vector<QRectF> places;
     for (const SheetGroup& group : sheet.groups)
         if (group.key != "sheet") places.push_back(extent_of(group));
-    const QRectF paper = made_sheets::paper_of(sheet.size);
+    const QRectF paper = sheet_helpers::paper_of(sheet.size);
     for (std::size_t i = 0; i < places.size(); ++i) {
         EXPECT_TRUE(paper.contains(places[i])) << i;
         for (std::size_t k = 0; k < i; ++k)
@@ -97,21 +97,21 @@ TEST(SheetLayout, ScalesHaveNames) {
     EXPECT_EQ(parse_scale("1:2"), 0.5);
     EXPECT_EQ(parse_scale("5:2"), 2.5);
     EXPECT_EQ(parse_scale("fit"), 0);
-    EXPECT_EQ(scale_in_words(0.5), "1:2");
-    EXPECT_EQ(scale_in_words(20), "20:1");
+    EXPECT_EQ(scale_text(0.5), "1:2");
+    EXPECT_EQ(scale_text(20), "20:1");
     for (const char* word :
          {"", "2", "1:0", "-1:2", "1:2:3", "a:b", "nan:1", "1:inf", "1:1e308", "1e308:1"})
         EXPECT_THROW(parse_scale(word), laplacian_lines::Error) << word;
 }
 
-TEST(SheetFurniture, LongTitlesAreWhole) {
+TEST(SheetAnnotations, LongTitlesAreWhole) {
     SheetOptions options = plain_views("front", "a4");
     for (int i = 0; i < 30; ++i)
         options.title += (i ? " word" : "word") + std::to_string(i);
     const auto title_of = [&] {
         const Sheet sheet = sheet_of(options);
         Words lines;
-        for (const SheetText& text : made_sheets::layer_of(sheet.groups.back(), "title").texts)
+        for (const SheetText& text : sheet_helpers::layer_of(sheet.groups.back(), "title").texts)
             if (text.text.find("word") != text.text.npos) lines.insert(lines.begin(), text.text);
         return joined(lines, " ");
     };
@@ -126,7 +126,7 @@ laplacian_lines::TriangleMesh bumpy_sphere() {
 }
 
 SheetOptions options_at(double scale) {
-    SheetOptions options = made_sheets::plain_views("front");
+    SheetOptions options = sheet_helpers::plain_views("front");
     options.scale = scale;
     return options;
 }
@@ -137,7 +137,7 @@ Sheet draw(const laplacian_lines::TriangleMesh& mesh, const SheetOptions& option
 
 /// mm on paper, from the sheet's note.
 double kernel_of(const Sheet& sheet) {
-    const std::string texts = joined(made_sheets::texts_of(sheet), "|");
+    const std::string texts = joined(sheet_helpers::texts_of(sheet), "|");
     const std::size_t at = texts.find("√h ");
     return at == texts.npos ? 0 : std::stod(texts.substr(at + 5));
 }
@@ -174,7 +174,7 @@ TEST(PrintedSize, AndDetailDecideAboutTheKernel) {
 }
 
 TEST(PrintedSize, DecidesAboutPens) {
-    const auto mesh = made_sheets::cube_of100();
+    const auto mesh = sheet_helpers::cube_of100();
     EXPECT_EQ(thickest(draw(mesh, options_at(1))), 0.5);
     EXPECT_EQ(thickest(draw(mesh, options_at(0.41))), 0.5);
     EXPECT_EQ(thickest(draw(mesh, options_at(0.35))), 0.35);

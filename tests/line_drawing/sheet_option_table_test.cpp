@@ -8,7 +8,7 @@
 
 #include "laplacian_lines/error.h"
 #include "line_drawing/sheet_choices.h"
-#include "places.h"
+#include "test_paths.h"
 
 using namespace line_drawing;
 
@@ -17,7 +17,7 @@ namespace {
 using Place = SheetOption::Place;
 
 std::string content(const char* file) {
-    std::ifstream input(places::repository() / file);
+    std::ifstream input(test_paths::repository() / file);
     EXPECT_TRUE(input) << file;
     return {std::istreambuf_iterator<char>(input), {}};
 }
@@ -86,7 +86,7 @@ TEST(SheetOptions, AreThoseOfASheetByDefault) {
     EXPECT_EQ(read.kernel.size, made.kernel.size);
     EXPECT_EQ(read.smoothing.size, made.smoothing.size);
     EXPECT_TRUE(read.style.shows == made.style.shows);
-    EXPECT_EQ(read.has_furniture, made.has_furniture);
+    EXPECT_EQ(read.has_annotations, made.has_annotations);
 }
 
 TEST(SheetOptions, AreInTheHelpWithValuesAndDefault) {

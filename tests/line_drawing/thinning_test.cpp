@@ -21,7 +21,7 @@ DrawnLine straight(const Vector2d& from, const Vector2d& to, double weight = 1,
     const int steps = int(std::ceil((to - from).norm() / 0.1));
     for (int i = 0; i <= steps; ++i)
         line.points.push_back({from + double(i) / steps * (to - from), weight,
-                               laplacian_lines::kNoSightNode, line_class == LineClass::Edge});
+                               laplacian_lines::kNoNode, line_class == LineClass::Edge});
     return line;
 }
 
@@ -31,7 +31,7 @@ DrawnLine circle(double circumference) {
     for (int i = 0; i <= 100; ++i)
         line.points.push_back({radius * Vector2d(std::cos(0.062831853 * (i % 100)),
                                                  std::sin(0.062831853 * (i % 100))),
-                               1, laplacian_lines::kNoSightNode, false});
+                               1, laplacian_lines::kNoNode, false});
     return line;
 }
 
@@ -88,7 +88,7 @@ TEST(Thinning, LeavesOutWhatIsTooShortToBeSeen) {
     EXPECT_TRUE(thin_out({straight({0, 0}, {5.9 * kPen, 0})}, kPens).empty());
     EXPECT_EQ(thin_out({straight({0, 0}, {6.1 * kPen, 0})}, kPens).size(), 1u);
     DrawnLine folded = straight({0, 0}, {3.5 * kPen, 0});
-    folded.points.push_back({{0, 0.5 * kPen}, 1, laplacian_lines::kNoSightNode, false});
+    folded.points.push_back({{0, 0.5 * kPen}, 1, laplacian_lines::kNoNode, false});
     EXPECT_TRUE(thin_out({folded}, kPens).empty());
     EXPECT_TRUE(thin_out({circle(23 * kPen)}, kPens).empty());
     EXPECT_EQ(thin_out({circle(25 * kPen)}, kPens).size(), 1u);
@@ -182,7 +182,7 @@ DrawnLine arc(double x, double side, bool is_towards) {
     for (double angle = 0; angle <= 2; angle += 0.05) {
         const Vector2d p(2 * std::sin(angle), side * 2 * (1 - std::cos(angle)));
         line.points.push_back(
-            {{x + (is_towards ? -1 : 1) * p.x(), p.y()}, 1, laplacian_lines::kNoSightNode, false});
+            {{x + (is_towards ? -1 : 1) * p.x(), p.y()}, 1, laplacian_lines::kNoNode, false});
     }
     return line;
 }
@@ -249,7 +249,7 @@ std::vector<DrawnLine> rings(int count, double pens_apart) {
                 {{radius * std::cos(angle),
                   height * std::cos(0.26) - radius * std::sin(angle) * std::sin(0.26)},
                  0.9 + 0.1 * std::sin(12.9898 * (ring + 1)),
-                 laplacian_lines::kNoSightNode,
+                 laplacian_lines::kNoNode,
                  false});
         lines.push_back(std::move(line));
     }

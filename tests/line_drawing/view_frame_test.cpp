@@ -7,16 +7,16 @@
 #include <cmath>
 
 #include "laplacian_lines/error.h"
-#include "made_sheets.h"
+#include "sheet_helpers.h"
 
 using namespace line_drawing;
 using Eigen::Vector3d;
-using made_sheets::cube_of100;
-using made_sheets::layer_of;
-using made_sheets::length_of;
-using made_sheets::plain_views;
-using made_sheets::sheet_of;
-using made_sheets::texts_of;
+using sheet_helpers::cube_of100;
+using sheet_helpers::layer_of;
+using sheet_helpers::length_of;
+using sheet_helpers::plain_views;
+using sheet_helpers::sheet_of;
+using sheet_helpers::texts_of;
 
 namespace {
 
@@ -84,7 +84,7 @@ TEST(ViewFrames, AreReadFromTheirWords) {
     ViewFrame frame = frame_of_direction(10, 20, UpAxis::X);
     for (const bool has_eye : {false, true}) {
         if (has_eye) frame.eye = Vector3d(1, -2.5, 1e7);
-        const ViewFrame read = parse_views("top, " + frame_in_words(frame), UpAxis::Z).back();
+        const ViewFrame read = parse_views("top, " + frame_text(frame), UpAxis::Z).back();
         EXPECT_LT((read.right - frame.right).norm() + (read.up - frame.up).norm(), 1e-7);
         EXPECT_EQ(read.eye, frame.eye);
     }
@@ -113,7 +113,7 @@ TEST(Perspective, MakesTheNearFaceOfACubeLarger) {
     SheetOptions options = from_height(150);
     options.hidden = HiddenLines::Dashed;
     const SheetGroup view = sheet_of(cube_of100(), options).groups[0];
-    const double near = made_sheets::extent_of(view).width();
+    const double near = sheet_helpers::extent_of(view).width();
     EXPECT_NEAR(near, 190, 0.02);  // the width of A4 without margins
     EXPECT_NEAR(length_of(layer_of(view, "outline")), 4 * near, 0.5);
     const double far_face = 4 * near / 2, between = 4 * near / 4 * std::sqrt(2);
@@ -139,8 +139,8 @@ TEST(Perspective, StandsBesideViewsAtScale) {
     options.views.insert(options.views.begin(), frame_of_side(Side::Front, UpAxis::Z));
     const Sheet sheet = sheet_of(ball, options);
     EXPECT_EQ(sheet.scale, 1);
-    const QRectF front = made_sheets::extent_of(sheet.groups[0]),
-                 view = made_sheets::extent_of(sheet.groups[1]);
+    const QRectF front = sheet_helpers::extent_of(sheet.groups[0]),
+                 view = sheet_helpers::extent_of(sheet.groups[1]);
     EXPECT_NEAR(front.width(), 80, 0.1);
     EXPECT_NEAR(view.width(), 2 * 40 * 100 / std::sqrt(100. * 100 - 40 * 40), 0.1);
     EXPECT_GT(view.top(), front.bottom());

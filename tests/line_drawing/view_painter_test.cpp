@@ -11,7 +11,7 @@
 #include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/precompute.h"
 #include "line_drawing/sheet_file.h"
-#include "made_sheets.h"
+#include "sheet_helpers.h"
 
 using namespace line_drawing;
 
@@ -84,7 +84,7 @@ double share_in(const QImage& of, const QImage& in) {
 SheetOptions plain(const char* views) {
     SheetOptions options;
     options.views = parse_views(views, UpAxis::Z);
-    options.has_furniture = false;
+    options.has_annotations = false;
     return options;
 }
 
@@ -151,7 +151,7 @@ TEST(ViewPainter, GivesUpAtOnceAndGoesOnLater) {
 }
 
 /// Whoever cannot wait gets lines of another kernel, until those of the view are there.
-TEST(ViewPainter, PaintsWhatIsAtHand) {
+TEST(ViewPainter, PaintsTheNearestKernel) {
     const laplacian_lines::TriangleMesh mesh = vessel();
     const laplacian_lines::Field field = laplacian_lines::precompute(mesh);
     const laplacian_lines::LineExtractor extractor(mesh, field);
@@ -174,7 +174,7 @@ TEST(ViewPainter, PaintsWhatIsAtHand) {
 }
 
 TEST(ViewPainter, RefusesAnEyeInsideTheSurface) {
-    const laplacian_lines::TriangleMesh mesh = made_sheets::cube_of100();
+    const laplacian_lines::TriangleMesh mesh = sheet_helpers::cube_of100();
     SheetOptions options = plain("front");
     options.views[0].eye = Eigen::Vector3d(0, 0, 0);
     ViewPainter painter({{mesh}});

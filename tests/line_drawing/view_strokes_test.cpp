@@ -8,13 +8,13 @@
 
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/line_extractor.h"
-#include "made_sheets.h"
+#include "sheet_helpers.h"
 
 using namespace line_drawing;
 using Eigen::Vector3d;
-using laplacian_lines::SightLine;
-using laplacian_lines::SightPoint;
 using laplacian_lines::TriangleMesh;
+using laplacian_lines::ViewLine;
+using laplacian_lines::ViewLinePoint;
 
 namespace {
 
@@ -33,9 +33,9 @@ ViewFrame frame_at(const Vector3d& towards_viewer, bool has_eye) {
     return frame;
 }
 
-double length_of(const std::vector<SightLine>& lines) {
+double length_of(const std::vector<ViewLine>& lines) {
     double length = 0;
-    for (const SightLine& line : lines)
+    for (const ViewLine& line : lines)
         for (std::size_t i = 1; i < line.points.size(); ++i)
             length += (line.points[i].position - line.points[i - 1].position).norm();
     return length;
@@ -45,12 +45,12 @@ TEST(ViewStrokes, LieOnTheSurface) {
     const TriangleMesh mesh = bumps();
     for (const bool has_eye : {false, true}) {
         const ViewFrame frame = frame_at({1, 2, 3}, has_eye);
-        const std::vector<SightLine> strokes = strokes_of({{mesh}}, frame, {});
+        const std::vector<ViewLine> strokes = strokes_of({{mesh}}, frame, {});
         ASSERT_GE(strokes.size(), 2u);
         EXPECT_TRUE(std::any_of(strokes.begin(), strokes.end(),
-                                [](const SightLine& line) { return line.is_outline; }));
-        for (const SightLine& line : strokes)
-            for (const SightPoint& point : line.points) {
+                                [](const ViewLine& line) { return line.is_outline; }));
+        for (const ViewLine& line : strokes)
+            for (const ViewLinePoint& point : line.points) {
                 EXPECT_GT(point.position.norm(), 0.83);
                 EXPECT_LT(point.position.norm(), 1.17);
                 EXPECT_LE(point.weight, 1.001f);
@@ -65,9 +65,9 @@ TEST(ViewStrokes, AreFewerAndLongerThanWhatIsSeen) {
     const laplacian_lines::LineExtractor extractor(mesh, laplacian_lines::precompute(mesh));
     const auto view = laplacian_lines::View::orthographic(frame.towards_viewer);
     laplacian_lines::ExtractionScratch scratch;
-    const std::vector<SightLine> seen =
-        visibility.look(view, {extract_on_surface(extractor, view, {}, scratch)}, {});
-    const std::vector<SightLine> strokes = strokes_of({{mesh}}, frame, {});
+    const std::vector<ViewLine> seen =
+        visibility.visible_lines(view, {extract_on_surface(extractor, view, {}, scratch)}, {});
+    const std::vector<ViewLine> strokes = strokes_of({{mesh}}, frame, {});
     EXPECT_LT(2 * strokes.size(), seen.size());
     EXPECT_GT(length_of(strokes) / double(strokes.size()),
               2 * length_of(seen) / double(seen.size()));
@@ -82,7 +82,7 @@ TEST(ViewStrokes, EndWhereTheirLineGoesOnBehindAnother) {
     const Objects objects = {{ball}, {plate}};
     const auto strokes = strokes_of(objects, frame_at({0, 0, 1}, false), {});
     int near = 0, far = 0;
-    for (const SightLine& line : strokes) {
+    for (const ViewLine& line : strokes) {
         const auto [low, high] =
             std::minmax_element(line.points.begin(), line.points.end(),
                                 [](auto& a, auto& b) { return a.position.z() < b.position.z(); });

@@ -11,7 +11,7 @@
 
 #include "line_renderer/line_renderer.h"
 #include "line_renderer/surface_depth.h"
-#include "made_up_lines.h"
+#include "synthetic_lines.h"
 
 /// A framebuffer with colors, alpha and depths, bound in the current context while it lives.
 /// Coordinates are pixels from the lower left until the camera changes; z in -1..1 points to an

@@ -53,7 +53,7 @@ TEST_F(HiddenLinesTest, AreSeenFromALittleBelowTheSurface) {
     const LineAppearance appearance = appearance_of(HiddenLines::LeftOut);
     LinePlacement placement = Canvas::placement();
     placement.diagonal = 10;
-    placement.sight_edge = 0.1;
+    placement.depth_bias_edge = 0.1;
     LineSet outline = kLine;
     const auto expect_limit = [&](LineKind kind, double limit) {
         outline.lines[0].kind = kind;
@@ -63,7 +63,7 @@ TEST_F(HiddenLinesTest, AreSeenFromALittleBelowTheSurface) {
     expect_limit(LineKind::Laplacian, 0.03);
     expect_limit(LineKind::Contour, 0.15);
     expect_limit(LineKind::Border, 0.03);
-    placement.sight_edge = 0;  // contours follow edges then
+    placement.depth_bias_edge = 0;  // contours follow edges then
     expect_limit(LineKind::Contour, 0.03);
 }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "made_up_lines.h"
+#include "synthetic_lines.h"
 
 namespace {
 

@@ -7,13 +7,13 @@
 #include <sstream>
 
 #include "filters.h"
-#include "places.h"
+#include "test_paths.h"
 
 namespace {
 
 std::string content(const std::string& file) {
     std::ostringstream text;
-    text << std::ifstream(places::repository() / file).rdbuf();
+    text << std::ifstream(test_paths::repository() / file).rdbuf();
     return text.str();
 }
 

@@ -38,7 +38,7 @@ TEST(PolylineView, SidesHaveAnUprightPicture) {
         EXPECT_TRUE(nearness_warning(frame, kBox).isEmpty());
         const bool is_upright = frame.towards_viewer.y() == 0;
         EXPECT_EQ(frame.up.y(), is_upright ? 1 : 0);
-        EXPECT_TRUE(in_words(frame, chosen).contains(QString::fromStdString(frame.name)));
+        EXPECT_TRUE(view_text(frame, chosen).contains(QString::fromStdString(frame.name)));
     }
 }
 

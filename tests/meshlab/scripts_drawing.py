@@ -42,8 +42,8 @@ expect_text("log", r"Drawing of torus\.ply: /.*/front\.svg, scale 50:1 on paper 
 draw("plate.dxf", *"--views six --paper a3 --unit cm --up z --title Torus --arrangement third".split(),
      views="six", paper=2, unit=1, up=2, title="Torus", arrangement=1)
 expect_text("log", r"plate\.dxf, scale .* on paper of (297 x 420|420 x 297) mm\. .*, with 10 mm to the unit")
-draw("cut.svg", *"--views top,30,15 --section x=0.5 --section y=0.4 --scale 10:1 --furniture none --paper fit".split(),
-     views="top,30,15", sections="x=0.5 y=0.4", scale="10:1", furniture="false", paper=6)
+draw("cut.svg", *"--views top,30,15 --section x=0.5 --section y=0.4 --scale 10:1 --annotations none --paper fit".split(),
+     views="top,30,15", sections="x=0.5 y=0.4", scale="10:1", annotations="false", paper=6)
 expect_text("log", "scale 10:1 on paper of")
 draw("section.svg", *"--views left --section z=0.5 --wall filled".split(), views="left", sections="z=0.5", wall=1)
 draw("alone.svg", "--section", "z=0.5", views="", sections="z=0.5")

@@ -9,14 +9,14 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "scripts"))
-from environment.messages import Failure, Obstacle, skip
+from environment.messages import Failure, Unavailable, skip
 from environment.python_environments import ensure_python
 
 try:
     if not shutil.which("rsvg-convert"):
-        raise Obstacle("there is no rsvg-convert")
+        raise Unavailable("there is no rsvg-convert")
     python = ensure_python("outside_tools", 2, "0.4 GB", "numpy==2.4.6", "opencv-python-headless==5.0.0.93",
                            "trimesh==5.2.0", "manifold3d==3.5.4", "rtree==1.4.1", "fast-simplification==0.2.0")
-except (Failure, Obstacle) as reason:
+except (Failure, Unavailable) as reason:
     skip(reason)
 os.execv(python, [python, "-B", HERE / "judge.py", *sys.argv[1:]])

@@ -19,10 +19,10 @@ def await_file(file):
 def begin(name, build=""):
     """A script that takes its turn in the folder "build", does something, and leaves a file NAME."""
     program = f"""import pathlib
-from environment.files import turn
+from environment.files import locked
 from environment.messages import quietly, run_main
 def main():
-    with turn(pathlib.Path("build").absolute()):
+    with locked(pathlib.Path("build").absolute()):
         {build or 'pass'}
         pathlib.Path("{name}").write_text("done")
 run_main(main)"""

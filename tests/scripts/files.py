@@ -8,8 +8,8 @@ from harness import *
 
 from environment.files import publish_into, put_file
 from product import extra_plugins, stage
-from product.meshlab import drivable_mesh
-from product.sheet import lay_out, plain_label
+from product.meshlab import loadable_mesh
+from product.sheet import lay_out, escaped_label
 
 ZEROS = bytes(100000)
 
@@ -21,7 +21,7 @@ def path(name, contents=b""):
     return file
 
 
-class WholeFiles(ScriptTest):
+class AtomicFiles(ScriptTest):
     def test_files(self):
         new, target = path("new", ZEROS), pathlib.Path("place/s%d \\n.png")
         target.parent.mkdir()
@@ -50,12 +50,12 @@ class WholeFiles(ScriptTest):
         self.assertIn("cannot write", said)
 
     def test_names(self):
-        self.assertEqual(plain_label("@a%w\\n"), "\\@a%%w\\\\n")
-        self.assertEqual(plain_label("a\ngrab ü"), "a?grab ü")
+        self.assertEqual(escaped_label("@a%w\\n"), "\\@a%%w\\\\n")
+        self.assertEqual(escaped_label("a\ngrab ü"), "a?grab ü")
         os.mkdir("folder")
         path("mesh\ngrab b.ply", ZEROS)
         kept = []
-        self.said_by(lambda: kept.append(drivable_mesh("mesh\ngrab b.ply", pathlib.Path("folder"))))
+        self.said_by(lambda: kept.append(loadable_mesh("mesh\ngrab b.ply", pathlib.Path("folder"))))
         self.assertNotIn("\n", str(kept[0]))
         self.assertEqual(kept[0].read_bytes(), ZEROS)
 

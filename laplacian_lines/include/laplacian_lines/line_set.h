@@ -43,7 +43,7 @@ struct LineSet {
         lines.clear();
     }
     /// Mesh coordinates.
-    Eigen::Vector3d place(const LinePoint& point) const {
+    Eigen::Vector3d position(const LinePoint& point) const {
         return origin + point.position.cast<double>();
     }
     /// Of all lines.

@@ -18,17 +18,17 @@ namespace laplacian_lines {
 /// Depth bias of lines: how far a point is moved towards the eye before the depth test, in D; for
 /// contours at least so many mean edges, since they follow smoothed normals, beyond the triangles'
 /// horizon.
-constexpr double kSightClearance = 0.003;
-constexpr double kContourSightClearance = 1.5;
+constexpr double kDepthBias = 0.003;
+constexpr double kContourDepthBias = 1.5;
 
-/// The mean edge for sight_clearance(), mesh units: larger where normals are smoothed more than
+/// The mean edge for depth_bias(), mesh units: larger where normals are smoothed more than
 /// usual; 0 where contours follow the edges of the mesh, as on coarse ones.
-double sight_edge(const Field& field);
+double depth_bias_edge(const Field& field);
 
-/// In the unit of `diagonal` and `sight_edge`, see there.
-inline double sight_clearance(LineKind kind, double diagonal, double sight_edge) {
-    const double beyond = describe(kind).is_on_horizon ? kContourSightClearance * sight_edge : 0;
-    return beyond > kSightClearance * diagonal ? beyond : kSightClearance * diagonal;
+/// In the unit of `diagonal` and `depth_bias_edge`, see there.
+inline double depth_bias(LineKind kind, double diagonal, double depth_bias_edge) {
+    const double beyond = describe(kind).is_on_horizon ? kContourDepthBias * depth_bias_edge : 0;
+    return beyond > kDepthBias * diagonal ? beyond : kDepthBias * diagonal;
 }
 
 /// Whether a line runs along the triangles' horizon, on a mesh edge, between two of its points;
@@ -44,7 +44,7 @@ LineSet extract_on_surface(const LineExtractor& extractor, const View& view, con
                            ExtractionScratch& scratch);
 
 /// What LineVisibility draws of a view.
-struct SightOptions {
+struct VisibilityOptions {
     /// Which mesh edges are wanted: contours, borders and creases.
     LineKindSet shows = LineKindSet::defaults();
     /// As LineStyle::line_smoothing: of lines on the surface, and in space of smooth contours.
@@ -57,20 +57,20 @@ struct SightOptions {
     double shortest_contour = 0;
 };
 
-constexpr std::uint32_t kNoSightNode = 0xffffffffu;
+constexpr std::uint32_t kNoNode = 0xffffffffu;
 
 /// A point of a line, all of which is visible or hidden.
-struct SightPoint {
+struct ViewLinePoint {
     Eigen::Vector3d position;         ///< mesh coordinates
     float weight, gradient, opacity;  ///< as of LinePoint
-    /// Points where lines meet in the picture have equal numbers; kNoSightNode elsewhere.
+    /// Points where lines meet in the picture have equal numbers; kNoNode elsewhere.
     std::uint32_t node;
     /// On an edge of the form; other points may be smoothed.
     bool is_exact;
 };
 
 /// A line of a view from one junction to the next.
-struct SightLine {
+struct ViewLine {
     LineKind kind;
     bool closed;  ///< ends with a copy of its first point
     bool is_hidden;
@@ -78,11 +78,11 @@ struct SightLine {
     /// Contours and borders: largest depth from them to the surface behind, mesh units.
     float jump;
     float strength, slope;  ///< of the whole line that it is part of, see Polyline
-    std::vector<SightPoint> points;
+    std::vector<ViewLinePoint> points;
 };
 
 /// Appends a line to a set, less its origin; `diagonal`: D, mesh units.
-void append(const SightLine& line, double diagonal, LineSet& to);
+void append(const ViewLine& line, double diagonal, LineSet& to);
 
 /// Lines, cut where their visibility changes.
 struct LineParts {
@@ -108,11 +108,12 @@ public:
     /// The visible parts of the mesh's own edges and of `lines`, a set from extract_on_surface()
     /// for each object of the mesh; hidden parts if the options ask for them. @throws
     /// Error(Cancelled)
-    std::vector<SightLine> look(const View& view, const std::vector<LineSet>& lines,
-                                const SightOptions& options, const Progress& progress = {}) const;
+    std::vector<ViewLine> visible_lines(const View& view, const std::vector<LineSet>& lines,
+                                        const VisibilityOptions& options,
+                                        const Progress& progress = {}) const;
 
     LineParts parts(const View& view, const std::vector<LineSet>& lines,
-                    const SightOptions& options, const Progress& progress = {}) const;
+                    const VisibilityOptions& options, const Progress& progress = {}) const;
 
 private:
     struct Data;

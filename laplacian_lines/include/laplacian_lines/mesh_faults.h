@@ -13,7 +13,7 @@ enum class MeshFault {
     Torn,         ///< so many borders that it is hardly a surface, but loose pieces
     Disagreeing,  ///< neighbours disagree about which side is outside, and cannot agree
     InsideOut,    ///< nearly all triangles faced inwards and were turned
-    Turned,       ///< some did, or disagreed with their neighbours
+    Flipped,      ///< some did, or disagreed with their neighbours
     Quantized,    ///< coordinates were rounded so much that smooth parts look like facets
     CoarseKernel  ///< most of the surface bends within the kernel, which could be smaller
 };

@@ -74,8 +74,8 @@ OptionRow<Options> file(std::string Options::*member, const char* key, const cha
 
 /// Position or Direction.
 template <class Options>
-OptionRow<Options> place(Eigen::Vector3d Options::*member, const char* key, const char* label,
-                         OptionKind kind, const char* help) {
+OptionRow<Options> vector(Eigen::Vector3d Options::*member, const char* key, const char* label,
+                          OptionKind kind, const char* help) {
     return {{key, label, help, kind, 0, 0, {}}, nullptr, nullptr, nullptr, member};
 }
 

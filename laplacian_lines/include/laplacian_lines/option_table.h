@@ -42,20 +42,20 @@ template <class Options>
 struct OptionRow : OptionDescription {
     double (*get)(const Options&);  ///< null for texts and vectors, as set
     void (*set)(Options&, double);
-    std::string Options::*text = nullptr;       ///< of Text and File
-    Eigen::Vector3d Options::*place = nullptr;  ///< of Position and Direction
+    std::string Options::*text = nullptr;        ///< of Text and File
+    Eigen::Vector3d Options::*vector = nullptr;  ///< of Position and Direction
 
     OptionValue value(const Options& options) const {
         if (text) return options.*text;
-        if (place) return options.*place;
+        if (vector) return options.*vector;
         return get(options);
     }
     /// @throws std::bad_variant_access for a value of another kind
     void set_value(Options& options, const OptionValue& value) const {
         if (text)
             options.*text = std::get<std::string>(value);
-        else if (place)
-            options.*place = std::get<Eigen::Vector3d>(value);
+        else if (vector)
+            options.*vector = std::get<Eigen::Vector3d>(value);
         else
             set(options, std::get<double>(value));
     }

@@ -40,7 +40,7 @@ struct MeshReport {
     double roughness = 0;
     /// Triangles whose orientation was reversed, so that neighbours agree and closed bodies face
     /// outwards: normals are those of the mesh that results.
-    std::size_t turned_triangles = 0;
+    std::size_t flipped_triangles = 0;
     // For faults_of(): of the usable surface, its cuts closed.
     double border_share = 0;   ///< edges of one triangle over all edges, if it is in pieces
     double opposed_share = 0;  ///< edges whose two triangles disagree about the outside, likewise

@@ -91,7 +91,7 @@ public:
         data_.border_edge_count = links_.number_count;
         data_.vertex_count = std::uint32_t(mesh_.size());
         judge_borders();
-        if (follows_edges(mesh_, data_.flat_share > kMadeShare, field_))
+        if (follows_edges(mesh_, data_.flat_share > kCadShare, field_))
             data_.horizon = find_edge_horizon(mesh_, sides, data_.is_body);
         find_convex();
         stage.report(kLinked);

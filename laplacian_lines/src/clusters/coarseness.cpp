@@ -18,7 +18,7 @@ constexpr double kLargestSmoothTriangle = 0.03;  // longest edge, D
 constexpr double kLargestRoughTriangle = 0.06;   // whose contours are smooth on rough meshes, D
 // Of the area. Measured meshes may have a few large triangles, where holes were filled.
 constexpr double kCoarseShare = 0.25, kCoarseShareOfMade = 0.02;
-constexpr double kSquaredCosineOfMade = 0.9698;  // of 10°
+constexpr double kSquaredCosineOfCad = 0.9698;  // of 10°
 
 constexpr double kFlat = 0.9999984769132877;   // least cosine: of 0.1°
 constexpr double kSharp = 0.7660444431189781;  // most cosine: of 40°
@@ -46,7 +46,7 @@ bool is_coarse(const PreparedMesh& mesh, const Field& field, const Triangle& t, 
     }
     return is_larger(kLargestSmoothTriangle) ||
            squared_size * (1 - least) > kFarthestContour * kFarthestContour ||
-           (made && least < kSquaredCosineOfMade);
+           (made && least < kSquaredCosineOfCad);
 }
 
 /// By vertex, the least cosine between the planes of the triangles around it and of the first one,
@@ -72,13 +72,13 @@ bool is_rough(const MeshReport& report) {
     return report.roughness > kLargestRoughness;
 }
 
-bool follows_edges(const PreparedMesh& mesh, bool is_made, const Field& field) {
+bool follows_edges(const PreparedMesh& mesh, bool is_cad, const Field& field) {
     const auto area = [&](std::size_t i) { return area_vector(mesh, mesh.triangles[i]).norm(); };
     const double all = sum_of(mesh.triangles.size(), area);
     const double coarse = sum_of(mesh.triangles.size(), [&](std::size_t i) {
-        return is_coarse(mesh, field, mesh.triangles[i], is_made) ? area(i) : 0;
+        return is_coarse(mesh, field, mesh.triangles[i], is_cad) ? area(i) : 0;
     });
-    return coarse > (is_made && !is_rough(field.report) ? kCoarseShareOfMade : kCoarseShare) * all;
+    return coarse > (is_cad && !is_rough(field.report) ? kCoarseShareOfMade : kCoarseShare) * all;
 }
 
 std::vector<std::uint8_t> find_plain_triangles(const PreparedMesh& mesh) {

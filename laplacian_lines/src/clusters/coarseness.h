@@ -19,7 +19,7 @@ bool is_rough(const MeshReport& report);
 /// far, or it is large. On rough meshes only large ones count. Of a mesh that was made, with flat
 /// faces of several triangles, all count that lean by 10° and more, however small, and 2 % are
 /// enough. The number of threads does not matter.
-bool follows_edges(const PreparedMesh& mesh, bool is_made, const Field& field);
+bool follows_edges(const PreparedMesh& mesh, bool is_cad, const Field& field);
 
 /// Which triangles are plain, 1 or 0 for each: where the surface has no form of its own that a
 /// Laplacian line could tell of, so that what is found there comes from beyond an edge, over which

@@ -39,7 +39,7 @@ PreparedMesh prepare(const TriangleMesh& mesh, const Field& field, int undone) {
     // Where the field was computed across cuts, lines go across them.
     return prepare_geometry(mesh, field.report.welded_vertices > 0 ? Cuts::Stitched : Cuts::Left,
                             {undone},
-                            field.report.turned_triangles > 0 ? Facing::Outwards : Facing::Kept);
+                            field.report.flipped_triangles > 0 ? Facing::Outwards : Facing::Kept);
 }
 
 /// Times a factor that moves no zeros, so that the slope_scale of the vertices' records, which is

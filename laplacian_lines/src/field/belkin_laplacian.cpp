@@ -54,8 +54,8 @@ std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const Sp
     const GridResolution resolution =
         grid_resolution(options.accuracy, roughness(kernel_sizes, shape_operators));
     const SummationCosts costs = summation_costs(mesh, tree, kernel, resolution);
-    refuse_endless_sum(std::min(costs.direct, costs.grid),
-                       "Merge close vertices, or choose a larger Kernel Size.");
+    refuse_costly_sum(std::min(costs.direct, costs.grid),
+                      "Merge close vertices, or choose a larger Kernel Size.");
     const bool on_grid = costs.grid < costs.direct;
     const GaussianSums sums = on_grid ? grid_sums(mesh, normals, kernel, resolution, stage)
                                       : gaussian_sums(mesh, tree, normals, kernel, stage);

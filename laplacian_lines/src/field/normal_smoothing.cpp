@@ -24,9 +24,9 @@ GaussianSums smoothing_sums(const PreparedMesh& mesh, const SpatialTree& tree,
     const SummationCosts costs = summation_costs(mesh, tree, kernel, resolution);
     if (kernel.normal_falloff == 0 && costs.grid * kGridAdvantage < costs.direct)
         return grid_sums(mesh, normals, kernel, resolution, stage);
-    refuse_endless_sum(costs.direct,
-                       "Merge close vertices, or choose another Normal Smoothing or a smaller "
-                       "Normal Smoothing Sigma.");
+    refuse_costly_sum(costs.direct,
+                      "Merge close vertices, or choose another Normal Smoothing or a smaller "
+                      "Normal Smoothing Sigma.");
     return gaussian_sums(mesh, tree, normals, kernel, stage);
 }
 

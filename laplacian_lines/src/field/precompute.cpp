@@ -42,7 +42,7 @@ double least_sigma(double kernel_size, double mean_edge) {
 
 /// A given kernel keeps subdivisions without which mean edges would be longer than it.
 PreparedMesh prepare(const TriangleMesh& mesh, const PrecomputeOptions& options, Facing facing) {
-    Undoing undoing{kMostUndone};
+    UndoLimits undoing{kMostUndone};
     undoing.longest_share = kLongestUndone;
     if (options.kernel_size > 0) undoing.longest_edge = options.kernel_size;
     return prepare_mesh(mesh, options.weld_duplicates ? Cuts::Stitched : Cuts::Left, undoing,
@@ -81,9 +81,9 @@ ShapeOperators estimate_shape_operators(const PreparedMesh& mesh, const SpatialT
     if (options.gradient_estimator == GradientEstimator::TriangleFit)
         return fit_triangles(mesh, ranges, normals, stage);
     const double radius = options.gradient_radius * mesh.mean_edge;
-    refuse_endless_sum(kFitCost * pairs_cost(tree, radius),
-                       "Merge close vertices, or choose a smaller Gradient Radius or the Gradient "
-                       "Estimator Triangle Fit.");
+    refuse_costly_sum(kFitCost * pairs_cost(tree, radius),
+                      "Merge close vertices, or choose a smaller Gradient Radius or the Gradient "
+                      "Estimator Triangle Fit.");
     return fit_balls(mesh, tree, normals, radius, options.skip_opposite_sheet,
                      fit_triangles(mesh, ranges, normals, stage.part(0, 0.2)), stage.part(0.2, 1));
 }
@@ -227,7 +227,7 @@ void add_curvature_derivatives(const TriangleMesh& mesh, Field& field, const Pro
     PreparedMesh prepared =
         prepare_mesh(mesh, field.report.welded_vertices > 0 ? Cuts::Stitched : Cuts::Left,
                      {field.report.undone_subdivisions},
-                     field.report.turned_triangles > 0 ? Facing::Outwards : Facing::Kept);
+                     field.report.flipped_triangles > 0 ? Facing::Outwards : Facing::Kept);
     const SpatialTree tree = sort_in_space(prepared);
     fill_curvature_derivatives(prepared, tree, stage.part(0.4, 1), field);
 }

@@ -111,7 +111,7 @@ double measure_roughness(const PreparedMesh& mesh, const VertexRanges& ranges,
     // all vertices are on edges, as of plates, the form turns their normals as terraces would.
     const FlatFaces flat = flat_faces(mesh, sides);
     if (flat.are_large()) return 0;
-    return flat.are_made() ? of_terraces : std::max(of_noise, of_terraces);
+    return flat.is_cad_mesh() ? of_terraces : std::max(of_noise, of_terraces);
 }
 
 double automatic_normal_sigma(double roughness) {

@@ -44,7 +44,7 @@ bool is_triangle(const Surface& surface, std::uint32_t triangle, float flat) {
     std::vector<Vector3f> directions;
     for (std::size_t i = 0; i < parts.size(); ++i)
         for (std::uint32_t side = 3 * parts[i]; side < 3 * parts[i] + 3; ++side) {
-            if (surface.goes_on(side) && surface.cosine_across(side) >= flat) {
+            if (surface.has_neighbour(side) && surface.cosine_across(side) >= flat) {
                 const std::uint32_t next = surface.across(side) / 3;
                 if (std::find(parts.begin(), parts.end(), next) != parts.end()) continue;
                 if (parts.size() == kMostParts) return false;
@@ -70,7 +70,7 @@ double share_of_triangular_faces(const Surface& surface, float flat) {
     const std::uint32_t step = surface.triangle_count() / kMostPlaces + 1;
     double all = 0, triangular = 0;
     for (std::uint32_t triangle = 0; triangle < surface.triangle_count(); triangle += step) {
-        if (!surface.goes_on_flat(triangle, flat)) continue;
+        if (!surface.has_coplanar_neighbour(triangle, flat)) continue;
         const double area = double(surface.facet(triangle).area);
         all += area;
         if (is_triangle(surface, triangle, flat)) triangular += area;
@@ -82,14 +82,13 @@ class CreaseFinder {
 public:
     CreaseFinder(const ExtractorData& data, const Surface& surface)
         : surface_(surface),
-          is_made_(data.flat_share > kMadeShare &&
-                   (1 - share_of_triangular_faces(surface_, flat_)) * data.flat_share >
-                       kMadeShare) {}
+          is_cad_(data.flat_share > kCadShare &&
+                  (1 - share_of_triangular_faces(surface_, flat_)) * data.flat_share > kCadShare) {}
 
     std::vector<CreaseEdge> run(float least_angle) const {
         std::vector<CreaseEdge> edges = find_bent_edges();
-        in_parallel(edges.size(), [&](std::size_t i) { edges[i].verdict = judge(edges[i]); });
-        drop_unsupported(edges, is_made_);
+        in_parallel(edges.size(), [&](std::size_t i) { edges[i].verdict = test(edges[i]); });
+        drop_unsupported(edges, is_cad_);
         for (CreaseEdge& edge : edges)
             if (edge.verdict != Verdict::Noise)
                 edge.shown_up_to =
@@ -104,9 +103,9 @@ public:
 private:
     std::vector<CreaseEdge> find_bent_edges() const {
         const float bent =
-            cosine_of((is_made_ ? kLeastCreaseAngle : kLeastMeasuredAngle) / kDegrees);
+            cosine_of((is_cad_ ? kLeastCreaseAngle : kLeastMeasuredAngle) / kDegrees);
         const auto find = [&](std::uint32_t side, std::vector<CreaseEdge>& found) {
-            if (!surface_.goes_on(side) || surface_.across(side) < side) return;
+            if (!surface_.has_neighbour(side) || surface_.across(side) < side) return;
             const float cosine = surface_.cosine_across(side);
             if (cosine <= bent && surface_.facet(side / 3).area > 0)
                 found.push_back(make_edge(side, cosine));
@@ -116,7 +115,7 @@ private:
 
     CreaseEdge make_edge(std::uint32_t side, float cosine) const {
         const auto facet = [&](std::uint32_t t) {
-            return surface_.goes_on_flat(t, flat_) ? CreaseEdge::kNone : t;
+            return surface_.has_coplanar_neighbour(t, flat_) ? CreaseEdge::kNone : t;
         };
         const std::uint32_t begin = surface_.begin(side), end = surface_.end(side);
         return {side,
@@ -128,8 +127,8 @@ private:
                 float(std::acos(std::max(double(cosine), -1.))) * kDegrees};
     }
 
-    Verdict judge(const CreaseEdge& edge) const {
-        if (!is_made_ && !is_edge_of_form(surface_, edge)) return Verdict::Noise;
+    Verdict test(const CreaseEdge& edge) const {
+        if (!is_cad_ && !is_edge_of_form(surface_, edge)) return Verdict::Noise;
         if (edge.angle >= kEdgeAngle) return Verdict::Certain;
         if (is_mere_diagonal(surface_, edge.side)) return Verdict::Facet;
         const CreaseJump jump = crease_jump(surface_, edge.side, signed_angle(surface_, edge.side));
@@ -141,7 +140,7 @@ private:
 
     const float flat_ = cosine_of(kFlat / kDegrees);
     const Surface& surface_;
-    const bool is_made_;
+    const bool is_cad_;
 };
 
 }  // namespace

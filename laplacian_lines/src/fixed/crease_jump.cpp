@@ -10,7 +10,7 @@ namespace {
 constexpr int kMostTriangles = 40;  // of a walk
 // Shares of the edge's angle: bends up to the first are within a facet, from the second on a
 // curvature can be measured.
-constexpr float kWithinFacet = 0.25f, kTelling = 0.5f;
+constexpr float kWithinFacet = 0.25f, kMeasurable = 0.5f;
 // Facets of one face are alike: curvatures and widths from one to the next differ less.
 constexpr float kAlike = 3;
 // Least angle in degrees at which three facets between two edges are an arc. Flanks of teeth, which
@@ -29,7 +29,7 @@ bool is_corner(const Surface& surface, std::uint32_t side, std::uint32_t end, fl
     for (int i = 0; i < kMostTriangles; ++i) {
         // the other side there
         at = surface.begin(at) == end ? last_side(at) : next_side(at);
-        if (!surface.goes_on(at)) return false;
+        if (!surface.has_neighbour(at)) return false;
         const float angle = std::abs(signed_angle(surface, at));
         edges += angle >= least;
         sharp += angle >= kEdgeAngle;
@@ -79,25 +79,25 @@ public:
             facet.is_flat = facet.is_flat || walk_.has_side_within(least_);
             facet.bends_back = count_++ == 0 && has_side_bent_back();
             if (ends_facet(facet)) break;
-            walk_.go_on();
+            walk_.advance();
         }
         facet.centre = moment / area;
         facet.end = walk_.end();
         // the path may pass only a corner of a long facet
         if (facet.turn > 0 && !(facet.centre > begin && facet.centre < facet.end))
             facet.centre = (begin + facet.end) / 2;
-        if (!is_over_) walk_.go_on();
+        if (!is_over_) walk_.advance();
         return true;
     }
 
 private:
     bool has_side_bent_back() const {
-        const float least = kTelling / kWithinFacet * least_.degrees;
+        const float least = kMeasurable / kWithinFacet * least_.degrees;
         return sign_ > 0 ? walk_.has_side_between(-kEdgeAngle, -least)
                          : walk_.has_side_between(least, kEdgeAngle);
     }
     bool ends_facet(Facet& facet) {
-        if (walk_.goes_on_within(least_)) return is_over_ = count_ == kMostTriangles;
+        if (walk_.continues_within(least_)) return is_over_ = count_ == kMostTriangles;
         const float turn = walk_.is_at_border() ? 0 : sign_ * walk_.turn();
         if (walk_.is_at_border() || std::abs(walk_.angle()) >= kEdgeAngle)
             end_ = End::Edge;
@@ -122,14 +122,14 @@ class FacetSide {
 public:
     FacetSide(const Surface& surface, std::uint32_t from, float lean, float angle, bool of_three)
         : walk_(surface, from, lean, angle),
-          telling_(kTelling * std::abs(angle)),
+          telling_(kMeasurable * std::abs(angle)),
           of_three_(of_three) {
         Facet facet;
         if (!walk_.next(facet)) return;
         half_ = facet.centre;
         is_flat_ = facet.is_flat || (walk_.end() == FacetWalk::End::Edge && !facet.bends_back);
         float turn = 0;
-        if (!go_on(facet, turn)) return;
+        if (!advance(facet, turn)) return;
         curvature_ = turn / least_distance(facet.centre - half_);
         const float edge = last_end_;
         judge_beyond(facet, turn, edge, std::abs(angle));
@@ -146,7 +146,7 @@ private:
     static float least_distance(float distance) { return std::max(distance, 1e-12f); }
 
     /// Advances until the surface has turned enough to measure a curvature.
-    bool go_on(Facet& facet, float& turn) {
+    bool advance(Facet& facet, float& turn) {
         while (turn < telling_) {
             if (!(facet.turn > 0)) return false;
             turn += facet.turn;
@@ -160,7 +160,7 @@ private:
         const Facet second = facet;
         float more = 0;
         bool goes_back = false;
-        if (go_on(facet, more)) {
+        if (advance(facet, more)) {
             const float beyond = more / least_distance(facet.centre - second.centre);
             is_arc_ = are_alike(beyond, curvature_);
             goes_back = is_arc_ || beyond > curvature_;
@@ -204,7 +204,7 @@ float explained(const FacetSide& a, const FacetSide& b) {
 CreaseJump crease_jump(const Surface& surface, std::uint32_t side, float angle) {
     const float sign = surface.sign_across(side);
     const bool of_three = may_be_of_three(surface, side, angle);
-    const float lean = lean_of_walls(surface, side), turn = angle * std::sqrt(1 - lean * lean);
+    const float lean = lean_of_boundaries(surface, side), turn = angle * std::sqrt(1 - lean * lean);
     const FacetSide here(surface, side, lean, turn, of_three),
         there(surface, surface.across(side), sign * lean, sign * turn, of_three);
     return {std::abs(angle) * (1 - explained(here, there) / std::abs(turn)),

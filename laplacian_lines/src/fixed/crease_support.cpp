@@ -26,9 +26,9 @@ public:
                 if (is_kept(i)) at_[v].push_back(i);
     }
 
-    void run(bool is_made) {
+    void run(bool is_cad) {
         drop_unclear();
-        if (is_made) find_running_out();
+        if (is_cad) find_fading_out();
         drop_loose();
         drop_doubtful();
     }
@@ -75,7 +75,7 @@ private:
 
     /// Follows creases that fade out: from certain edges on, edges of ever smaller angles, each the
     /// only strong one that continues there; then also weak ones that nothing else meets.
-    void find_running_out() {
+    void find_fading_out() {
         std::vector<std::uint32_t> open;
         for (std::uint32_t i = 0; i < edges_.size(); ++i)
             if (edges_[i].is_certain()) open.push_back(i);
@@ -110,7 +110,7 @@ private:
     /// Drops edges with a loose end until there are none.
     void drop_loose() {
         const auto is_loose = [&](std::uint32_t i) {
-            return is_kept(i) && !edges_[i].is_certain() && !is_held(i);
+            return is_kept(i) && !edges_[i].is_certain() && !is_supported(i);
         };
         auto open = collect<std::uint32_t>(edges_.size(), [&](std::uint32_t i, auto& found) {
             if (is_loose(i)) found.push_back(i);
@@ -145,7 +145,7 @@ private:
 
     /// Whether a crease continues at both ends, three meet there or one of them is certain; or the
     /// edge belongs to a crease that fades out.
-    bool is_held(std::uint32_t i) const {
+    bool is_supported(std::uint32_t i) const {
         return runs_out_[i] || (look_around(i, 0).holds() && look_around(i, 1).holds());
     }
 
@@ -177,8 +177,8 @@ private:
 
 }  // namespace
 
-void drop_unsupported(std::vector<CreaseEdge>& edges, bool is_made) {
-    SupportedCreases(edges).run(is_made);
+void drop_unsupported(std::vector<CreaseEdge>& edges, bool is_cad) {
+    SupportedCreases(edges).run(is_cad);
 }
 
 }  // namespace laplacian_lines

@@ -24,12 +24,12 @@ constexpr float kConfirmed = 0.6f;
 constexpr float kConfirmedAnyway = 40;
 
 // The roughness of a side is the part of its bending that cancels out.
-constexpr float kTimesRoughness = 6;  // least angle of an edge
-constexpr float kCertainly = 1.5f;    // times too rough: more triangles would not help
-constexpr float kCalm = 2;            // degrees; CAD meshes are smoother
-constexpr int kFewEdges = 8;          // too few to tell roughness from curvature
-constexpr float kLong = 0.02f;        // D; edges this long are no noise
-constexpr int kFewTriangles = 4;      // of a side, as large faces have them
+constexpr float kTimesRoughness = 6;     // least angle of an edge
+constexpr float kCertainly = 1.5f;       // times too rough: more triangles would not help
+constexpr float kSmootherThanScans = 2;  // degrees; CAD meshes are smoother
+constexpr int kFewEdges = 8;             // too few to tell roughness from curvature
+constexpr float kLong = 0.02f;           // D; edges this long are no noise
+constexpr int kFewTriangles = 4;         // of a side, as large faces have them
 
 /// Positive where the surface is convex at a side.
 float bend_at(const Surface& surface, std::uint32_t side) {
@@ -70,7 +70,7 @@ public:
             add(reached[i], signs[i]);
             if (!has_few_edges() && is_too_rough(angle / kCertainly)) return;
             for (std::uint32_t side = 3 * reached[i]; side < 3 * reached[i] + 3; ++side) {
-                if (reached.size() == kMostTriangles || !surface.goes_on(side)) continue;
+                if (reached.size() == kMostTriangles || !surface.has_neighbour(side)) continue;
                 const std::uint32_t next = surface.across(side) / 3;
                 if (next == opposite || !is_near(next) ||
                     std::find(reached.begin(), reached.end(), next) != reached.end() ||
@@ -85,9 +85,9 @@ public:
     bool is_too_rough(float angle) const { return angle < kTimesRoughness * roughness(); }
 
     /// Whether the surface is too smooth for a scan.
-    bool is_calm() const {
+    bool is_smoother_than_scans() const {
         if (is_long_ && triangles_ < kFewTriangles) return true;
-        return edges_ > 0 && roughness() < kCalm;
+        return edges_ > 0 && roughness() < kSmootherThanScans;
     }
 
     /// Whether the mean normals of two sides differ about as much as those at the edge do.
@@ -104,7 +104,7 @@ private:
         normals_ += sign * facet.area * facet.normal;
         ++triangles_;
         for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side) {
-            if (!surface_.goes_on(side)) continue;
+            if (!surface_.has_neighbour(side)) continue;
             const float cosine = surface_.cosine_across(side);
             if (cosine < passable_) continue;
             const float square = std::max(2 - 2 * cosine, 0.f);  // about that of the angle
@@ -140,7 +140,7 @@ bool is_edge_of_form(const Surface& surface, const CreaseEdge& edge) {
     if (here.is_too_rough(edge.angle)) return false;
     const EdgeSide there(surface, edge, true, passable, edge.angle);
     if (there.is_too_rough(edge.angle) || !EdgeSide::differ(here, there, edge.angle)) return false;
-    return (here.is_calm() && there.is_calm()) ||
+    return (here.is_smoother_than_scans() && there.is_smoother_than_scans()) ||
            EdgeSide::differ(EdgeSide(surface, edge, false, anything, whatever),
                             EdgeSide(surface, edge, true, anything, whatever), edge.angle);
 }

@@ -24,13 +24,15 @@ struct Quad {
     Vector3f upper, lower;  // normals of the triangles, oriented like the first
     Vector3f around[4];     // normals beyond qr, rp, ps, sq; zero: none
 
-    bool goes_on_flat(const Vector3f& normal, const Vector3f& beyond) const {
+    bool has_coplanar_neighbour(const Vector3f& normal, const Vector3f& beyond) const {
         return !beyond.isZero(0) && angle_between(normal, beyond) < kFlat;
     }
     /// Whether both triangles are parts of larger flat faces, which the other diagonal would cut.
-    bool parts_faces() const {
-        return (goes_on_flat(upper, around[0]) || goes_on_flat(upper, around[1])) &&
-               (goes_on_flat(lower, around[2]) || goes_on_flat(lower, around[3]));
+    bool splits_faces() const {
+        return (has_coplanar_neighbour(upper, around[0]) ||
+                has_coplanar_neighbour(upper, around[1])) &&
+               (has_coplanar_neighbour(lower, around[2]) ||
+                has_coplanar_neighbour(lower, around[3]));
     }
 };
 
@@ -47,7 +49,7 @@ float cosine_of_edges() {
 
 /// Zero at borders and at edges of the form, which do not count.
 Vector3f normal_beyond(const Surface& surface, std::uint32_t side, float sign) {
-    if (!surface.goes_on(side) || surface.cosine_across(side) < cosine_of_edges())
+    if (!surface.has_neighbour(side) || surface.cosine_across(side) < cosine_of_edges())
         return Vector3f::Zero();
     return sign * surface.sign_across(side) * surface.beyond(side).normal;
 }
@@ -82,7 +84,7 @@ float bend_around(const Quad& quad, const Vector3f* const (&normals)[4]) {
 
 bool is_mere_diagonal(const Surface& surface, std::uint32_t side) {
     const Quad quad = quad_at(surface, side);
-    if (quad.parts_faces()) return false;
+    if (quad.splits_faces()) return false;
     const Vector3f left = normal_of(quad.p, quad.s, quad.r),
                    right = normal_of(quad.s, quad.q, quad.r);
     for (const Vector3f* old : {&quad.upper, &quad.lower})

@@ -100,7 +100,7 @@ public:
     LineAngles(std::uint32_t count, const Form* forms) : count_(count), forms_(forms) {}
 
     void measure(const Surface& surface, float sign) {
-        measure_ways();
+        measure_arc_lengths();
         choose_samples();
         const std::size_t n = samples_.size();
         profiles_.resize(n);
@@ -124,25 +124,26 @@ public:
         for (std::uint32_t i = 0; i < count_; ++i) {
             while (s + 2 < samples_.size() && samples_[s + 1] < i)
                 ++s;
-            const float begin = ways_[samples_[s]], end = ways_[samples_[s + 1]];
-            const float t = end > begin ? (ways_[i] - begin) / (end - begin) : 0;
+            const float begin = arc_lengths_[samples_[s]], end = arc_lengths_[samples_[s + 1]];
+            const float t = end > begin ? (arc_lengths_[i] - begin) / (end - begin) : 0;
             points[i].gradient = (1 - t) * angles_[s] + t * angles_[s + 1];
             points[i].position += diagonal * ((1 - t) * moves_[s] + t * moves_[s + 1]);
         }
     }
 
 private:
-    void measure_ways() {
-        ways_.assign(1, 0);
+    void measure_arc_lengths() {
+        arc_lengths_.assign(1, 0);
         for (std::uint32_t i = 1; i < count_; ++i)
-            ways_.push_back(ways_.back() + length_of(forms_[i].position - forms_[i - 1].position));
+            arc_lengths_.push_back(arc_lengths_.back() +
+                                   length_of(forms_[i].position - forms_[i - 1].position));
     }
 
     /// Both ends are among them.
     void choose_samples() {
         samples_.assign(1, 0);
         for (std::uint32_t i = 1; i + 1 < count_; ++i)
-            if (ways_[i] - ways_[samples_.back()] >= kStep) samples_.push_back(i);
+            if (arc_lengths_[i] - arc_lengths_[samples_.back()] >= kStep) samples_.push_back(i);
         samples_.push_back(count_ - 1);
     }
 
@@ -150,9 +151,9 @@ private:
     Section section(std::uint32_t i) const {
         const Form& here = forms_[i];
         std::uint32_t first = i, last = i;
-        while (first > 0 && ways_[i] - ways_[first - 1] <= kBendReach)
+        while (first > 0 && arc_lengths_[i] - arc_lengths_[first - 1] <= kBendReach)
             --first;
-        while (last + 1 < count_ && ways_[last + 1] - ways_[i] <= kBendReach)
+        while (last + 1 < count_ && arc_lengths_[last + 1] - arc_lengths_[i] <= kBendReach)
             ++last;
         Eigen::Vector3f bend = Eigen::Vector3f::Zero();
         for (std::uint32_t j = first; j <= last; ++j)
@@ -167,7 +168,8 @@ private:
 
     Turns mean_turns(std::size_t s) const {
         const auto is_near = [&](std::size_t other) {
-            return std::abs(ways_[samples_[other]] - ways_[samples_[s]]) <= kMeanReach;
+            return std::abs(arc_lengths_[samples_[other]] - arc_lengths_[samples_[s]]) <=
+                   kMeanReach;
         };
         std::size_t begin = s, end = s + 1;
         while (begin > 0 && is_near(begin - 1))
@@ -182,7 +184,7 @@ private:
 
     const std::uint32_t count_;
     const Form* const forms_;
-    std::vector<float> ways_;             // lengths from the start of the line to its points, D
+    std::vector<float> arc_lengths_;      // lengths from the start of the line to its points, D
     std::vector<std::uint32_t> samples_;  // points that have a section
     std::vector<SectionProfile> profiles_;
     std::vector<Turns> turns_;

@@ -82,16 +82,17 @@ void SectionProfile::measure(const Surface& surface, const Section& section, flo
         }
     const Eigen::Vector3f up = unit(section.normal);
     places_.clear();
-    for (const float way : {-1.f, 1.f}) {
-        const int k = (way > 0) == (along[0] > along[1]) ? 0 : 1;  // the triangle on this side
+    for (const float sign_of_side : {-1.f, 1.f}) {
+        const int k =
+            (sign_of_side > 0) == (along[0] > along[1]) ? 0 : 1;  // the triangle on this side
         const std::size_t most = places_.size() + kMostSteps;
-        if (way > 0) {
+        if (sign_of_side > 0) {
             std::reverse(places_.begin(), places_.end());
             places_.push_back({0, 0, section.point});
         }
         Place last = {0, 0, section.point};
         while (at[k] != kNoSide && std::abs(last.distance) < reach && places_.size() < most) {
-            last.distance += way * length_of(next[k].position - last.position);
+            last.distance += sign_of_side * length_of(next[k].position - last.position);
             last.angle = sign *
                          arc_tangent(dot(next[k].normal, section.across), dot(next[k].normal, up)) *
                          kDegrees;

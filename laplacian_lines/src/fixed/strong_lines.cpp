@@ -13,7 +13,7 @@ namespace laplacian_lines {
 namespace {
 
 constexpr float kWeak = 0.5f;      // of the least gradient, for continuations of strong parts
-constexpr float kPlainAngle = 45;  // degrees; sharper pieces count more than their length
+constexpr float kSharpAngle = 45;  // degrees; sharper pieces count more than their length
 
 /// In D.
 struct StretchLengths {
@@ -28,7 +28,7 @@ StretchLengths measure(const LinePoint* points, std::uint32_t count, float least
         const LinePoint &a = points[i - 1], &b = points[i];
         const float length = length_of(b.position - a.position) / diagonal;
         lengths.all += length;
-        const float sharp = std::min(a.gradient, b.gradient), ratio = sharp / kPlainAngle;
+        const float sharp = std::min(a.gradient, b.gradient), ratio = sharp / kSharpAngle;
         strong =
             sharp >= least ? strong + std::clamp(ratio * ratio, 1.f, kMostSharpness) * length : 0;
         lengths.strong = std::max(lengths.strong, strong);

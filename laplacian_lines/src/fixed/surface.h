@@ -47,10 +47,10 @@ public:
     }
 
     /// Whether there is a triangle with an area beyond a side.
-    bool goes_on(std::uint32_t side) const {
+    bool has_neighbour(std::uint32_t side) const {
         return sides_.has_neighbour(side) && beyond(side).area > 0;
     }
-    // Only where goes_on():
+    // Only where has_neighbour():
     std::uint32_t across(std::uint32_t side) const { return sides_.across(side); }
     const Facet& beyond(std::uint32_t side) const { return facets_[across(side) / 3]; }
     /// −1 if the triangle beyond has the opposite orientation; a factor of its normal.
@@ -62,9 +62,9 @@ public:
     }
 
     /// Whether the triangle has a coplanar neighbour; `cosine`: the least between their normals.
-    bool goes_on_flat(std::uint32_t triangle, float cosine) const {
+    bool has_coplanar_neighbour(std::uint32_t triangle, float cosine) const {
         for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side)
-            if (goes_on(side) && cosine_across(side) >= cosine) return true;
+            if (has_neighbour(side) && cosine_across(side) >= cosine) return true;
         return false;
     }
 

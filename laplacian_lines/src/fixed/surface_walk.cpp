@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kWall = 2;       // times the tested edge's angle
+constexpr float kBoundary = 2;   // times the tested edge's angle
 constexpr float kAcross = 0.5f;  // least sine between a path and a boundary at which it ends
 constexpr float kMostLean = 0.9999f;
 
@@ -37,21 +37,21 @@ bool is_within(const Surface& surface, std::uint32_t side, const SmallAngle& ang
            (cosine >= angle.cosine_above && std::abs(signed_angle(surface, side)) < angle.degrees);
 }
 
-bool is_wall(const Surface& surface, std::uint32_t side, const SmallAngle& least) {
-    return !surface.goes_on(side) || !is_within(surface, side, least);
+bool is_boundary(const Surface& surface, std::uint32_t side, const SmallAngle& least) {
+    return !surface.has_neighbour(side) || !is_within(surface, side, least);
 }
 
 /// Edges from this angle on bound the faces on both sides of the tested edge.
-SmallAngle wall_angle(float angle) {
-    return SmallAngle(std::min(kWall * std::abs(angle), kEdgeAngle));
+SmallAngle boundary_angle(float angle) {
+    return SmallAngle(std::min(kBoundary * std::abs(angle), kEdgeAngle));
 }
 
 /// The direction, away from a side, of the one other side that is a boundary; zero if none or both
 /// are.
-Vector3f along_wall(const Surface& surface, std::uint32_t side, const SmallAngle& least) {
+Vector3f along_boundary(const Surface& surface, std::uint32_t side, const SmallAngle& least) {
     const std::uint32_t next = next_side(side), last = last_side(side);
-    const bool is_next = is_wall(surface, next, least);
-    if (is_next == is_wall(surface, last, least)) return Vector3f::Zero();
+    const bool is_next = is_boundary(surface, next, least);
+    if (is_next == is_boundary(surface, last, least)) return Vector3f::Zero();
     return is_next ? direction_of(surface, next) : Vector3f(-direction_of(surface, last));
 }
 
@@ -64,11 +64,11 @@ float signed_angle(const Surface& surface, std::uint32_t side) {
            kDegrees;
 }
 
-float lean_of_walls(const Surface& surface, std::uint32_t side) {
+float lean_of_boundaries(const Surface& surface, std::uint32_t side) {
     const Vector3f along = direction_of(surface, side);
-    const SmallAngle least = wall_angle(signed_angle(surface, side));
-    const Vector3f here = along_wall(surface, side, least),
-                   there = -along_wall(surface, surface.across(side), least);
+    const SmallAngle least = boundary_angle(signed_angle(surface, side));
+    const Vector3f here = along_boundary(surface, side, least),
+                   there = -along_boundary(surface, surface.across(side), least);
     if (here.isZero(0) || there.isZero(0)) return 0;
     const float a = arc_sine(dot(here, along)), b = arc_sine(dot(there, along));
     const float lean = sine_of((a + b) / 2);
@@ -89,14 +89,14 @@ SurfaceWalk::SurfaceWalk(const Surface& surface, std::uint32_t from, float lean)
       direction_(lean * direction_of(surface, from) -
                  std::sqrt(1 - lean * lean) * outwards(surface, from)),
       tangent_of_lean_(lean / std::sqrt(1 - lean * lean)),
-      wall_angle_(wall_angle(signed_angle(surface, from))) {
+      boundary_angle_(boundary_angle(signed_angle(surface, from))) {
     cross();
 }
 
 template <class Is>
 bool SurfaceWalk::has_side(const Is& is) const {
     for (const std::uint32_t side : {next_side(at_), last_side(at_)})
-        if (surface_.goes_on(side) && is(side)) return true;
+        if (surface_.has_neighbour(side) && is(side)) return true;
     return false;
 }
 
@@ -111,8 +111,8 @@ bool SurfaceWalk::has_side_within(const SmallAngle& angle) const {
     return has_side([&](std::uint32_t side) { return is_within(surface_, side, angle); });
 }
 
-bool SurfaceWalk::goes_on_within(const SmallAngle& angle) const {
-    return goes_on_ && surface_.cosine_across(exit_) > angle.cosine_below;
+bool SurfaceWalk::continues_within(const SmallAngle& angle) const {
+    return has_next_ && surface_.cosine_across(exit_) > angle.cosine_below;
 }
 
 void SurfaceWalk::cross() {
@@ -121,17 +121,17 @@ void SurfaceWalk::cross() {
     centre_ = begin_ + dot(facet.centre - place_, aside);
     end_ = begin_;
     if (!find_exit(at_)) return;
-    const std::uint32_t wall = exit_;
-    if (slant_ >= kAcross || !is_wall(surface_, wall, wall_angle_)) return;
+    const std::uint32_t boundary = exit_;
+    if (slant_ >= kAcross || !is_boundary(surface_, boundary, boundary_angle_)) return;
     direction_ = dot(direction_, along_) > 0 ? along_ : -along_;
     // the third side, unless the path has come from there
-    if (!find_exit(wall)) goes_on_ = false;
+    if (!find_exit(boundary)) has_next_ = false;
 }
 
-bool SurfaceWalk::find_exit(std::uint32_t wall) {
+bool SurfaceWalk::find_exit(std::uint32_t boundary) {
     float nearest = std::numeric_limits<float>::max();
     for (const std::uint32_t side : {next_side(at_), last_side(at_)}) {
-        if (side == wall) continue;
+        if (side == boundary) continue;
         const Vector3f along = direction_of(surface_, side);
         const Vector3f out = along.cross(surface_.facet(at_ / 3).normal);
         const float slant = dot(direction_, out);
@@ -143,15 +143,15 @@ bool SurfaceWalk::find_exit(std::uint32_t wall) {
         along_ = along;
         slant_ = slant;
     }
-    goes_on_ = nearest < std::numeric_limits<float>::max();
-    if (!goes_on_) return false;
+    has_next_ = nearest < std::numeric_limits<float>::max();
+    if (!has_next_) return false;
     end_ += std::max(nearest, 0.f);
     place_ += std::max(nearest, 0.f) * direction_;
-    goes_on_ = surface_.goes_on(exit_);
+    has_next_ = surface_.has_neighbour(exit_);
     return true;
 }
 
-void SurfaceWalk::go_on() {
+void SurfaceWalk::advance() {
     const std::uint32_t next = surface_.across(exit_);
     sign_ *= surface_.sign_across(exit_);
     direction_ = unit(dot(direction_, along_) * along_ - slant_ * outwards(surface_, next));

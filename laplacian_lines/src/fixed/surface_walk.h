@@ -19,7 +19,7 @@ float signed_angle(const Surface& surface, std::uint32_t side);
 /// both sides have one boundary each and these are about parallel. Then the face is a band between
 /// boundaries, such as a chamfer, and curves along it. Boundaries are borders and edges that turn
 /// much more than the side does.
-float lean_of_walls(const Surface& surface, std::uint32_t side);
+float lean_of_boundaries(const Surface& surface, std::uint32_t side);
 
 /// An angle of up to 90 degrees, for comparisons: for most edges the cosine between their normals
 /// decides, without an arc tangent.
@@ -52,29 +52,29 @@ public:
     float angle() const { return sign_ * signed_angle(surface_, exit_); }
     float turn() const { return angle() * slant_; }
     /// Whether the surface continues at the exit and angle() is certainly less.
-    bool goes_on_within(const SmallAngle& angle) const;
+    bool continues_within(const SmallAngle& angle) const;
     /// Whether the surface ends there.
-    bool is_at_border() const { return !goes_on_; }
+    bool is_at_border() const { return !has_next_; }
 
     /// Into the next triangle. Not at a border.
-    void go_on();
+    void advance();
 
 private:
     /// Whether `is` holds for a side with a neighbour other than the entry.
     template <class Is>
     bool has_side(const Is& is) const;
     void cross();
-    bool find_exit(std::uint32_t wall);
+    bool find_exit(std::uint32_t boundary);
 
     const Surface& surface_;
     std::uint32_t at_;                                                     // the entry
     Eigen::Vector3f place_, direction_, along_ = Eigen::Vector3f::Zero();  // along_: of the exit
     const float tangent_of_lean_;
-    const SmallAngle wall_angle_;
+    const SmallAngle boundary_angle_;
     float sign_ = 1;  // -1: the triangle has the other orientation than the first one
     float begin_ = 0, centre_ = 0, end_ = 0, slant_ = 0;
     std::uint32_t exit_ = 0;
-    bool goes_on_ = false;
+    bool has_next_ = false;
 };
 
 }  // namespace laplacian_lines

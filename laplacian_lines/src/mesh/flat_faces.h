@@ -9,7 +9,7 @@ namespace laplacian_lines {
 /// CAD meshes have more than this share of the area in flat faces of several triangles; it is that
 /// of even triangles of whose edges a tenth is flat, 1 − 0.9³. Scans and voxels of smooth forms
 /// have up to 0.24, machined parts and lofts 0.29 and more.
-constexpr double kMadeShare = 0.27;
+constexpr double kCadShare = 0.27;
 
 /// Flat faces of several triangles.
 struct FlatFaces {
@@ -18,7 +18,7 @@ struct FlatFaces {
 
     /// Whether the mesh was designed, not scanned, so that angles between triangles, however small,
     /// are those of the form.
-    bool are_made() const { return share > kMadeShare; }
+    bool is_cad_mesh() const { return share > kCadShare; }
     /// Whether a third of the area is in large faces, as of plates and housings, not of terraces.
     bool are_large() const;
 };

@@ -10,7 +10,7 @@ namespace {
 /// Shares of the edges; open surfaces of a few hundred triangles have 5 % borders.
 constexpr double kMostBorders = 0.2, kMostOpposed = 0.02;
 /// Shares of the triangles that were turned: less is a few specks of a scan, more is nearly all.
-constexpr double kLeastTurned = 1e-3, kMostTurned = 0.9;
+constexpr double kLeastFlipped = 1e-3, kMostFlipped = 0.9;
 /// Angle, in radians, by which most of the surface turns within the kernel.
 constexpr double kMostBend = 0.7;
 
@@ -25,11 +25,11 @@ std::vector<MeshFault> faults_of(const MeshReport& report) {
     if (report.border_share > kMostBorders) faults.push_back(MeshFault::Torn);
     if (report.opposed_share > kMostOpposed) faults.push_back(MeshFault::Disagreeing);
     if (!faults.empty()) return faults;  // the others follow from these
-    const double turned = double(report.turned_triangles) / double(report.triangles);
-    if (turned > kMostTurned)
+    const double turned = double(report.flipped_triangles) / double(report.triangles);
+    if (turned > kMostFlipped)
         faults.push_back(MeshFault::InsideOut);
-    else if (turned > kLeastTurned)
-        faults.push_back(MeshFault::Turned);
+    else if (turned > kLeastFlipped)
+        faults.push_back(MeshFault::Flipped);
     if (report.coordinate_step > 0) faults.push_back(MeshFault::Quantized);
     if (report.kernel_bend > kMostBend) faults.push_back(MeshFault::CoarseKernel);
     return faults;
@@ -48,8 +48,8 @@ std::string describe(MeshFault fault, const MeshReport& report) {
         case MeshFault::InsideOut:
             return "The surface is inside out. It is drawn the right way round; MeshLab's filter "
                    "Invert Faces Orientation mends the mesh.";
-        case MeshFault::Turned:
-            return std::to_string(report.turned_triangles) + " of " +
+        case MeshFault::Flipped:
+            return std::to_string(report.flipped_triangles) + " of " +
                    std::to_string(report.triangles) +
                    " triangles face inwards, or unlike their neighbours. They are drawn the right "
                    "way round; MeshLab's filter Re-Orient All Faces Coherently mends the mesh.";

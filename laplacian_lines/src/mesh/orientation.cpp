@@ -36,15 +36,15 @@ constexpr std::uint32_t kNone = 0xffffffffu;
 struct Body {
     Eigen::AlignedBox3d box;
     Vector3d area_vectors = Vector3d::Zero();
-    double area = 0, turned_area = 0, volume = 0;  // twice, twice, six times
+    double area = 0, flipped_area = 0, volume = 0;  // twice, twice, six times
     std::size_t sides = 0, borders = 0;
-    bool is_orientable = true, is_closed = false, is_turned = false;
+    bool is_orientable = true, is_closed = false, is_flipped = false;
     std::vector<std::uint32_t> around = {};  // closed bodies that it lies in
 
     void add(const PreparedMesh& mesh, const Triangle& t, double sign) {
         const Vector3d vector = area_vector(mesh, t);
         area += vector.norm();
-        if (sign < 0) turned_area += vector.norm();
+        if (sign < 0) flipped_area += vector.norm();
         area_vectors += sign * vector;
         volume += sign * mesh.positions[t[0]].dot(vector);
         sides += 3;
@@ -61,7 +61,7 @@ struct Body {
                     std::abs(about_middle) > (is_whole ? kLeastVolumeOfClosed : kLeastVolume) *
                                                  area * box.diagonal().norm();
         volume = about_middle;
-        is_turned = is_closed ? volume < 0 : is_orientable && 2 * turned_area > area;
+        is_flipped = is_closed ? volume < 0 : is_orientable && 2 * flipped_area > area;
     }
 };
 
@@ -132,7 +132,7 @@ private:
 };
 
 /// From the outside inwards: bodies within solid matter are turned with it.
-void turn_together(std::vector<Body>& bodies) {
+void flip_together(std::vector<Body>& bodies) {
     std::vector<std::uint32_t> order(bodies.size());
     std::iota(order.begin(), order.end(), 0u);
     const auto depth = [&](std::uint32_t b) { return bodies[b].around.size(); };
@@ -144,17 +144,17 @@ void turn_together(std::vector<Body>& bodies) {
         const Body& next = bodies[*std::max_element(
             around.begin(), around.end(),
             [&](std::uint32_t a, std::uint32_t c) { return depth(a) < depth(c); })];
-        if ((next.volume > 0) != next.is_turned) bodies[b].is_turned = next.is_turned;
+        if ((next.volume > 0) != next.is_flipped) bodies[b].is_flipped = next.is_flipped;
     }
 }
 
-class Turning {
+class Orienting {
 public:
-    explicit Turning(PreparedMesh& mesh)
+    explicit Orienting(PreparedMesh& mesh)
         : mesh_(mesh),
           table_(mesh.triangles, mesh.size()),
           body_of_(mesh.triangles.size(), kNone),
-          is_turned_(mesh.triangles.size(), 0) {}
+          is_flipped_(mesh.triangles.size(), 0) {}
 
     void run() {
         find_bodies();
@@ -162,12 +162,12 @@ public:
         for (Body& body : bodies_)
             body.decide();
         if (bodies_.size() > 1 && std::any_of(bodies_.begin(), bodies_.end(), [](const Body& body) {
-                return body.is_closed && body.is_turned;
+                return body.is_closed && body.is_flipped;
             })) {
             Nesting(mesh_, body_of_, bodies_).find();
-            turn_together(bodies_);
+            flip_together(bodies_);
         }
-        turn();
+        flip();
     }
 
 private:
@@ -196,12 +196,12 @@ private:
     void reach_across(std::uint32_t side, std::vector<std::uint32_t>& open) {
         const std::uint32_t here = side / 3, there = table_.across(side) / 3;
         if (is_same(here, there)) return;
-        const bool is_turned = bool(is_turned_[here]) != is_opposed(side, table_.across(side));
+        const bool is_flipped = bool(is_flipped_[here]) != is_opposed(side, table_.across(side));
         if (body_of_[there] == kNone) {
             body_of_[there] = body_of_[here];
-            is_turned_[there] = is_turned;
+            is_flipped_[there] = is_flipped;
             open.push_back(there);
-        } else if (bool(is_turned_[there]) != is_turned) {
+        } else if (bool(is_flipped_[there]) != is_flipped) {
             bodies_[body_of_[here]].is_orientable = false;
         }
     }
@@ -214,7 +214,7 @@ private:
 
     void measure_bodies() {
         for (std::uint32_t t = 0; t < body_of_.size(); ++t)
-            bodies_[body_of_[t]].add(mesh_, mesh_.triangles[t], is_turned_[t] ? -1 : 1);
+            bodies_[body_of_[t]].add(mesh_, mesh_.triangles[t], is_flipped_[t] ? -1 : 1);
         std::size_t borders = 0;
         for (std::uint32_t side = 0; side < table_.side_count(); ++side) {
             if (table_.across(side) != CornerTable::kBorder) continue;
@@ -225,35 +225,36 @@ private:
             mesh_.report.border_share = double(borders) / double(table_.edge_count());
     }
 
-    bool turns(std::uint32_t t) const {
+    bool is_to_flip(std::uint32_t t) const {
         const Body& body = bodies_[body_of_[t]];
-        return body.is_orientable && body.is_turned != bool(is_turned_[t]);
+        return body.is_orientable && body.is_flipped != bool(is_flipped_[t]);
     }
 
-    void turn() {
-        std::size_t opposed = 0, turned = 0;
+    void flip() {
+        std::size_t opposed = 0, flipped = 0;
         for (std::uint32_t side = 0; side < table_.side_count(); ++side) {
             const std::uint32_t other = table_.across(side);
             if (table_.has_neighbour(side) && side < other)
-                opposed += is_opposed(side, other) == (turns(side / 3) == turns(other / 3));
+                opposed +=
+                    is_opposed(side, other) == (is_to_flip(side / 3) == is_to_flip(other / 3));
         }
         for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
-            if (turns(t)) std::swap(mesh_.triangles[t][1], mesh_.triangles[t][2]), ++turned;
+            if (is_to_flip(t)) std::swap(mesh_.triangles[t][1], mesh_.triangles[t][2]), ++flipped;
         mesh_.report.opposed_share = double(opposed) / double(table_.edge_count());
-        mesh_.report.turned_triangles = turned << 2 * mesh_.report.undone_subdivisions;
+        mesh_.report.flipped_triangles = flipped << 2 * mesh_.report.undone_subdivisions;
     }
 
     PreparedMesh& mesh_;
     const CornerTable table_;
     std::vector<Body> bodies_;
-    std::vector<std::uint32_t> body_of_;   // by triangle
-    std::vector<std::uint8_t> is_turned_;  // against the first triangle of its body
+    std::vector<std::uint32_t> body_of_;    // by triangle
+    std::vector<std::uint8_t> is_flipped_;  // against the first triangle of its body
 };
 
 }  // namespace
 
 void orient(PreparedMesh& mesh) {
-    Turning(mesh).run();
+    Orienting(mesh).run();
 }
 
 }  // namespace laplacian_lines

@@ -33,7 +33,7 @@ constexpr std::size_t kFewTriangles = 1000;  // coordinates of so few may be rou
 constexpr double kCell = 2.5;
 
 // Sums of squared lengths in this range can be squared without overflow or underflow.
-constexpr double kLeastPlain = 1e-60, kLargestPlain = 1e60;
+constexpr double kLeastSafe = 1e-60, kLargestSafe = 1e60;
 
 using Positions = std::vector<Eigen::Vector3d>;
 
@@ -52,7 +52,7 @@ bool is_degenerate(const Positions& positions, const Triangle& t) {
                           v = positions[t[2]] - positions[t[0]];
     const double uu = u.squaredNorm(), vv = v.squaredNorm(), ww = (v - u).squaredNorm();
     const double sum = uu + vv + ww;
-    if (!(sum > kLeastPlain && sum < kLargestPlain))  // also if one is not finite
+    if (!(sum > kLeastSafe && sum < kLargestSafe))  // also if one is not finite
         return is_degenerate_at_any_scale(positions, t);
     const double least = kLeastSine * std::max({uu, vv, ww});
     return !(u.cross(v).squaredNorm() > least * least);
@@ -105,7 +105,8 @@ double mean_edge(const Positions& positions, const std::vector<Triangle>& triang
     return edges / double(3 * triangles.size());
 }
 
-void undo_subdivisions(const Positions& positions, const Undoing& undoing, PreparedMesh& prepared) {
+void undo_subdivisions(const Positions& positions, const UndoLimits& undoing,
+                       PreparedMesh& prepared) {
     std::vector<Triangle>& triangles = prepared.triangles;
     if (undoing.most == 0 || triangles.size() % 4 != 0) return;
     const double diagonal = bounding_box(positions, triangles).diagonal().stableNorm();
@@ -242,7 +243,7 @@ std::vector<Triangle> conforming_triangles(const TriangleMesh& mesh) {
     return triangles;
 }
 
-PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const Undoing& undoing,
+PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const UndoLimits& undoing,
                               Facing facing) {
     check_indices(mesh);
     PreparedMesh prepared;
@@ -268,7 +269,7 @@ PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const Undoing
     return prepared;
 }
 
-PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, const Undoing& undoing,
+PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, const UndoLimits& undoing,
                           Facing facing) {
     PreparedMesh prepared = prepare_geometry(mesh, cuts, undoing, facing);
     prepared.mean_edge = mean_edge(prepared.positions, prepared.triangles);

@@ -39,18 +39,18 @@ enum class Cuts { Left, Stitched };
 enum class Facing { Kept, Outwards };
 
 /// How many subdivisions are undone: at most so many, and only as long as the mean edge is shorter.
-struct Undoing {
+struct UndoLimits {
     int most = 0;                                                    ///< times
     double longest_edge = std::numeric_limits<double>::infinity();   ///< mesh units
     double longest_share = std::numeric_limits<double>::infinity();  ///< D
 };
 
 /// The vertices keep the input's order. @throws Error: InvalidMesh, EmptyMesh.
-PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, const Undoing& undoing = {},
+PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, const UndoLimits& undoing = {},
                           Facing facing = Facing::Kept);
 
 /// Without the mean edge.
-PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const Undoing& undoing = {},
+PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const UndoLimits& undoing = {},
                               Facing facing = Facing::Kept);
 
 /// Sorts vertices and triangles so that neighbours in space are neighbours in memory, in the order

@@ -12,7 +12,7 @@ namespace {
 const char* const kUsual = "usual";
 
 /// A name without case, blanks and underscores.
-std::string essence(const std::string& name) {
+std::string normalized_name(const std::string& name) {
     std::string result;
     for (const char c : name)
         if (c != ' ' && c != '_') result += char(std::tolower(static_cast<unsigned char>(c)));
@@ -21,15 +21,15 @@ std::string essence(const std::string& name) {
 
 template <class Table>
 auto* row_named(const Table& table, const std::string& name) {
-    const std::string wanted = essence(name);
+    const std::string wanted = normalized_name(name);
     const auto found = std::find_if(table.begin(), table.end(), [&](const auto& row) {
-        return essence(row.key) == wanted || essence(row.label) == wanted;
+        return normalized_name(row.key) == wanted || normalized_name(row.label) == wanted;
     });
     return found == table.end() ? nullptr : &*found;
 }
 
 std::optional<LineKindSet> kinds_of(const std::string& name) {
-    if (essence(name) == kUsual) return LineKindSet::defaults();
+    if (normalized_name(name) == kUsual) return LineKindSet::defaults();
     if (const LineMixture* mixture = mixture_named(name)) return mixture->kinds;
     if (const LineKindDescription* kind = row_named(kLineKinds, name))
         return outlines_and({kind->kind});

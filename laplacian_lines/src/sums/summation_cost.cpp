@@ -24,7 +24,7 @@ constexpr double kBlocksPerVertex = 8;
 
 constexpr double kLeastRoughness = 0.01;  // a plane: Δn is about 0
 
-constexpr double kEndless = 3e7;  // half a minute
+constexpr double kCostly = 3e7;  // half a minute
 
 /// `radius_at(v)`: radius of the sum at vertex v.
 template <class RadiusAt>
@@ -80,8 +80,8 @@ double pairs_cost(const SpatialTree& tree, double radius) {
     return direct_cost(tree, [&](std::uint32_t) { return radius; });
 }
 
-void refuse_endless_sum(double cost, const char* advice) {
-    if (cost < kEndless) return;
+void refuse_costly_sum(double cost, const char* advice) {
+    if (cost < kCostly) return;
     throw Error(ErrorCode::TooCostly,
                 std::string("The mesh has too many vertices near each other to be finished within "
                             "minutes. ") +

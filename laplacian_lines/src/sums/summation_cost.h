@@ -28,7 +28,7 @@ struct SummationCosts {
 double pairs_cost(const SpatialTree& tree, double radius);
 
 /// @throws Error(TooCostly), whose sentence ends with the advice, if it would take minutes
-void refuse_endless_sum(double cost, const char* advice);
+void refuse_costly_sum(double cost, const char* advice);
 
 /// The direct sum depends on the kernel's cutoff, the grid on the resolution.
 SummationCosts summation_costs(const PreparedMesh& mesh, const SpatialTree& tree,

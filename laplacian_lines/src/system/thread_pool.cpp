@@ -21,7 +21,7 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr int kLooksBeforeSleep = 2000;  // some microseconds, in which a short block ends
+constexpr int kSpinsBeforeSleep = 2000;  // some microseconds, in which a short block ends
 constexpr unsigned kWakeAtOnce = 2;      // these wake the others
 // wait(lock) without a time would need a newer libstdc++ than MeshLab's.
 constexpr std::chrono::hours kLongest{24};
@@ -68,7 +68,7 @@ public:
         }
         wake(loop.most_helpers);
         work_on(loop, 0);
-        for (int i = 0; loop.inside != 0 && i < kLooksBeforeSleep; ++i) {
+        for (int i = 0; loop.inside != 0 && i < kSpinsBeforeSleep; ++i) {
         }
         std::unique_lock<std::mutex> lock(mutex_);
         close(loop);

@@ -12,13 +12,13 @@ using Eigen::Vector3d;
 constexpr std::size_t kAside = 4;
 
 /// The places of all vertices of edges.
-const VertexPlaces& CreaseMarker::places() const {
+const VertexLookup& CreaseMarker::places() const {
     return *places_.get([&] {
         std::vector<bool> are_used(mesh_.positions.size());
         for (std::size_t e = 0; e < mesh_.edge_count(); ++e)
             for (const std::uint32_t v : mesh_.edges[e].vertices)
                 are_used[v] = true;
-        return std::make_unique<const VertexPlaces>(mesh_,
+        return std::make_unique<const VertexLookup>(mesh_,
                                                     [&](std::uint32_t v) { return are_used[v]; });
     });
 }
@@ -40,7 +40,7 @@ void CreaseMarker::find_along(const Vector3d& begin, const Vector3d& end,
     for (std::size_t i = 0; i < on.size(); ++i)
         for (std::size_t k = i + 1; k < std::min(on.size(), i + 1 + kAside); ++k) {
             const std::uint32_t edge = mesh_.edge_between(on[i].second, on[k].second);
-            if (edge != SightMesh::kNoEdge) edges.push_back(edge);
+            if (edge != VisibilityMesh::kNoEdge) edges.push_back(edge);
         }
 }
 
@@ -60,8 +60,8 @@ std::shared_ptr<const CreaseMarks> CreaseMarker::mark(const std::vector<LineSet>
     for (const LineSet& set : lines)
         for (const Polyline& line : set.lines)
             for (std::uint32_t i = 1; line.kind == LineKind::Crease && i < line.count; ++i)
-                creases.push_back({set.place(set.points[line.first + i - 1]),
-                                   set.place(set.points[line.first + i])});
+                creases.push_back({set.position(set.points[line.first + i - 1]),
+                                   set.position(set.points[line.first + i])});
     const std::lock_guard<std::mutex> lock(mutex_);
     if (creases != creases_) {
         marks_ = std::make_shared<const CreaseMarks>(mark(creases));

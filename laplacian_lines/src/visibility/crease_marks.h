@@ -9,8 +9,8 @@
 
 #include "laplacian_lines/line_set.h"
 #include "system/on_demand.h"
-#include "visibility/sight_mesh.h"
-#include "visibility/vertex_places.h"
+#include "visibility/vertex_lookup.h"
+#include "visibility/visibility_mesh.h"
 
 namespace laplacian_lines {
 
@@ -20,7 +20,7 @@ using CreaseMarks = std::vector<std::uint8_t>;
 /// Finds the edges of a mesh along lines. Thread-safe.
 class CreaseMarker {
 public:
-    explicit CreaseMarker(const SightMesh& mesh) : mesh_(mesh) {}
+    explicit CreaseMarker(const VisibilityMesh& mesh) : mesh_(mesh) {}
 
     /// Marks the edges between successive points of the creases among the lines. Caches the last
     /// result, since views of one mesh have the same creases.
@@ -32,10 +32,10 @@ private:
     CreaseMarks mark(const std::vector<Segment>& creases) const;
     void find_along(const Eigen::Vector3d& begin, const Eigen::Vector3d& end,
                     std::vector<std::uint32_t>& edges) const;
-    const VertexPlaces& places() const;
+    const VertexLookup& places() const;
 
-    const SightMesh& mesh_;
-    mutable OnDemand<std::unique_ptr<const VertexPlaces>> places_;
+    const VisibilityMesh& mesh_;
+    mutable OnDemand<std::unique_ptr<const VertexLookup>> places_;
     mutable std::mutex mutex_;
     mutable std::vector<Segment> creases_;
     mutable std::shared_ptr<const CreaseMarks> marks_ = std::make_shared<const CreaseMarks>();

@@ -23,7 +23,7 @@ Vector3d turned(const Vector3d& v) {
 
 }  // namespace
 
-EyeFrame::EyeFrame(const SightMesh& mesh, const View& view, bool looks_away)
+EyeFrame::EyeFrame(const VisibilityMesh& mesh, const View& view, bool looks_away)
     : has_perspective_(view.w != 0) {
     const Vector3d eye = view.eye - view.w * mesh.centre;  // local, but for a scale
     eye_ = turned(has_perspective_ ? Vector3d(eye / (view.w * mesh.size)) : eye.stableNormalized());
@@ -38,14 +38,14 @@ double EyeFrame::turn() {
     return kTurn;
 }
 
-Vector3d EyeFrame::place(const Vector3d& local) const {
+Vector3d EyeFrame::project(const Vector3d& local) const {
     if (!has_perspective_) return {right_.dot(local), up_.dot(local), back_.dot(local)};
     const Vector3d from_eye = local - eye_;
     const double nearness = 1 / std::max(-back_.dot(from_eye), kLeastDepth);
     return {nearness * right_.dot(from_eye), nearness * up_.dot(from_eye), nearness};
 }
 
-bool is_before_eye(const SightMesh& mesh, const EyeFrame& frame) {
+bool is_before_eye(const VisibilityMesh& mesh, const EyeFrame& frame) {
     return !frame.has_perspective() || frame.depth(Vector3d::Zero()) > kMeshReach + kLeastDepth ||
            std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
                return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
@@ -54,7 +54,7 @@ bool is_before_eye(const SightMesh& mesh, const EyeFrame& frame) {
            });
 }
 
-TriangleMesh part_before_eye(const SightMesh& mesh, const EyeFrame& frame) {
+TriangleMesh part_before_eye(const VisibilityMesh& mesh, const EyeFrame& frame) {
     TriangleMesh part{mesh.positions, {}};
     const auto above = [&](std::uint32_t v) {
         return frame.depth(mesh.positions[v]) - kLeastDepth;

@@ -5,7 +5,7 @@
 
 #include "laplacian_lines/triangle_mesh.h"
 #include "laplacian_lines/view.h"
-#include "visibility/sight_mesh.h"
+#include "visibility/visibility_mesh.h"
 
 namespace laplacian_lines {
 
@@ -16,7 +16,7 @@ namespace laplacian_lines {
 class EyeFrame {
 public:
     /// A perspective eye looks towards the centre of the mesh, or away from it.
-    EyeFrame(const SightMesh& mesh, const View& view, bool looks_away = false);
+    EyeFrame(const VisibilityMesh& mesh, const View& view, bool looks_away = false);
 
     /// Rad.
     static double turn();
@@ -32,7 +32,7 @@ public:
 
     /// Projects to the picture, z growing towards the eye. In perspective z = 1 / depth, so that
     /// planes and straight lines stay so and the projection along z is parallel.
-    Eigen::Vector3d place(const Eigen::Vector3d& local) const;
+    Eigen::Vector3d project(const Eigen::Vector3d& local) const;
 
 private:
     Eigen::Vector3d eye_, right_, up_, back_;
@@ -43,9 +43,9 @@ private:
 constexpr double kLeastDepth = 1e-5;
 
 /// Whether all of a mesh is before the eye.
-bool is_before_eye(const SightMesh& mesh, const EyeFrame& frame);
+bool is_before_eye(const VisibilityMesh& mesh, const EyeFrame& frame);
 
 /// Clipped at kLeastDepth; local.
-TriangleMesh part_before_eye(const SightMesh& mesh, const EyeFrame& frame);
+TriangleMesh part_before_eye(const VisibilityMesh& mesh, const EyeFrame& frame);
 
 }  // namespace laplacian_lines

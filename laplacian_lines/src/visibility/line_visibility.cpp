@@ -13,8 +13,8 @@
 #include "visibility/crease_marks.h"
 #include "visibility/eye_frame.h"
 #include "visibility/picture.h"
-#include "visibility/sight_mesh.h"
-#include "visibility/sight_pieces.h"
+#include "visibility/visibility_mesh.h"
+#include "visibility/visibility_pieces.h"
 
 namespace laplacian_lines {
 namespace {
@@ -43,42 +43,44 @@ double winding_number(const PreparedMesh& mesh, const Eigen::Vector3d& point) {
 }
 
 /// For an eye with the whole mesh in front of it.
-std::vector<SightLine> look_at(const SightMesh& mesh, const CreaseMarker& creases,
-                               const EyeFrame& frame, const std::vector<LineSet>& lines,
-                               const SightOptions& options, const StageProgress& stage) {
+std::vector<ViewLine> find_visible_lines(const VisibilityMesh& mesh, const CreaseMarker& creases,
+                                         const EyeFrame& frame, const std::vector<LineSet>& lines,
+                                         const VisibilityOptions& options,
+                                         const StageProgress& stage) {
     stage.report(0);
     const Picture picture(mesh, frame, stage.part(0, 0.3));
-    const SightSegments segments = find_sight_segments(picture, *creases.mark(lines), lines);
+    const VisibilitySegments segments =
+        find_visibility_segments(picture, *creases.mark(lines), lines);
     stage.report(0.4);
     const auto crossings = find_crossings(segments);
     stage.report(0.6);
-    auto pieces = find_sight_pieces(segments, crossings, stage.part(0.6, 0.95));
-    mend_lines(segments, pieces);
+    auto pieces = find_visibility_pieces(segments, crossings, stage.part(0.6, 0.95));
+    repair_lines(segments, pieces);
     stage.report(1);
     return trace_lines(segments, pieces, options);
 }
 
 /// For an eye within the mesh: clips the mesh to the part in front of it.
-void look_through(const SightMesh& mesh, const EyeFrame& frame, const std::vector<LineSet>& lines,
-                  const SightOptions& options, const StageProgress& stage,
-                  std::vector<SightLine>& seen) {
-    const SightMesh before =
-        build_sight_mesh(part_before_eye(mesh, frame), mesh, stage.part(0, 0.5));
+void find_lines_in_front(const VisibilityMesh& mesh, const EyeFrame& frame,
+                         const std::vector<LineSet>& lines, const VisibilityOptions& options,
+                         const StageProgress& stage, std::vector<ViewLine>& seen) {
+    const VisibilityMesh before =
+        build_visibility_mesh(part_before_eye(mesh, frame), mesh, stage.part(0, 0.5));
     std::uint32_t first_node = 0;  // nodes of the two halves differ
-    for (const SightLine& line : seen)
-        for (const SightPoint& point : line.points)
+    for (const ViewLine& line : seen)
+        for (const ViewLinePoint& point : line.points)
             first_node = std::max(first_node, point.node + 1);
-    for (SightLine& line :
-         look_at(before, CreaseMarker(before), frame, lines, options, stage.part(0.5, 1))) {
-        for (SightPoint& point : line.points)
-            if (point.node != kNoSightNode) point.node += first_node;
+    for (ViewLine& line : find_visible_lines(before, CreaseMarker(before), frame, lines, options,
+                                             stage.part(0.5, 1))) {
+        for (ViewLinePoint& point : line.points)
+            if (point.node != kNoNode) point.node += first_node;
         seen.push_back(std::move(line));
     }
 }
 
 }  // namespace
 
-void append(const SightLine& line, double diagonal, LineSet& to) {
+void append(const ViewLine& line, double diagonal, LineSet& to) {
     Polyline result;
     result.first = std::uint32_t(to.points.size());
     result.count = std::uint32_t(line.points.size());
@@ -86,8 +88,8 @@ void append(const SightLine& line, double diagonal, LineSet& to) {
     result.closed = line.closed;
     result.strength = line.strength;
     result.slope = line.slope;
-    const SightPoint* before = nullptr;
-    for (const SightPoint& p : line.points) {
+    const ViewLinePoint* before = nullptr;
+    for (const ViewLinePoint& p : line.points) {
         to.points.push_back(
             {(p.position - to.origin).cast<float>(), p.weight, p.gradient, p.opacity});
         if (before) result.length += float((p.position - before->position).norm() / diagonal);
@@ -97,9 +99,9 @@ void append(const SightLine& line, double diagonal, LineSet& to) {
 }
 
 struct LineVisibility::Data {
-    explicit Data(SightMesh found) : mesh(std::move(found)) {}
+    explicit Data(VisibilityMesh found) : mesh(std::move(found)) {}
 
-    const SightMesh mesh;
+    const VisibilityMesh mesh;
     const CreaseMarker creases{mesh};
 
     const PreparedMesh& turned() const {
@@ -116,7 +118,7 @@ private:
     mutable OnDemand<PreparedMesh> turned_;
 };
 
-double sight_edge(const Field& field) {
+double depth_bias_edge(const Field& field) {
     const FieldScale& scale = field.scale;
     if (scale.mean_edge > kLargestSmoothMeanEdge * scale.diagonal && !is_rough(field.report))
         return 0;
@@ -144,7 +146,7 @@ LineSet extract_on_surface(const LineExtractor& extractor, const View& view, con
 
 LineVisibility::LineVisibility(const TriangleMesh& mesh, const Progress& progress)
     : data_(std::make_unique<const Data>(
-          build_sight_mesh(mesh, {progress, 0, 1, "Preparing what hides lines"}))) {}
+          build_visibility_mesh(mesh, {progress, 0, 1, "Preparing what hides lines"}))) {}
 LineVisibility::~LineVisibility() = default;
 LineVisibility::LineVisibility(LineVisibility&&) noexcept = default;
 LineVisibility& LineVisibility::operator=(LineVisibility&&) noexcept = default;
@@ -154,25 +156,26 @@ bool LineVisibility::encloses(const Eigen::Vector3d& point) const {
     return local.norm() <= kMeshReach && winding_number(data_->turned(), local) > 0.5;
 }
 
-std::vector<SightLine> LineVisibility::look(const View& view, const std::vector<LineSet>& lines,
-                                            const SightOptions& options,
-                                            const Progress& progress) const {
+std::vector<ViewLine> LineVisibility::visible_lines(const View& view,
+                                                    const std::vector<LineSet>& lines,
+                                                    const VisibilityOptions& options,
+                                                    const Progress& progress) const {
     const StageProgress stage(progress, 0, 1, "Finding what is seen");
     const EyeFrame frame(data_->mesh, view);
     if (is_before_eye(data_->mesh, frame))
-        return look_at(data_->mesh, data_->creases, frame, lines, options, stage);
-    std::vector<SightLine> seen;
+        return find_visible_lines(data_->mesh, data_->creases, frame, lines, options, stage);
+    std::vector<ViewLine> seen;
     for (const bool looks_away : {false, true})
-        look_through(data_->mesh, EyeFrame(data_->mesh, view, looks_away), lines, options,
-                     stage.part(looks_away ? 0.5 : 0, looks_away ? 1 : 0.5), seen);
+        find_lines_in_front(data_->mesh, EyeFrame(data_->mesh, view, looks_away), lines, options,
+                            stage.part(looks_away ? 0.5 : 0, looks_away ? 1 : 0.5), seen);
     return seen;
 }
 
 LineParts LineVisibility::parts(const View& view, const std::vector<LineSet>& lines,
-                                const SightOptions& options, const Progress& progress) const {
+                                const VisibilityOptions& options, const Progress& progress) const {
     LineParts parts;
     if (!lines.empty()) parts.seen.origin = parts.hidden.origin = lines.front().origin;
-    for (const SightLine& line : look(view, lines, options, progress))
+    for (const ViewLine& line : visible_lines(view, lines, options, progress))
         append(line, data_->mesh.size, line.is_hidden ? parts.hidden : parts.seen);
     return parts;
 }

@@ -21,12 +21,12 @@ bool is_less(const Vector3d& a, const Vector3d& b) {
 
 }  // namespace
 
-Picture::Picture(const SightMesh& mesh, const EyeFrame& frame, const StageProgress& stage)
+Picture::Picture(const VisibilityMesh& mesh, const EyeFrame& frame, const StageProgress& stage)
     : mesh_(mesh), frame_(frame) {
     stage.report(0);
     places_.resize(mesh.positions.size());
     for_each_element(places_.size(),
-                     [&](std::size_t v) { places_[v] = frame.place(mesh.positions[v]); });
+                     [&](std::size_t v) { places_[v] = frame.project(mesh.positions[v]); });
     facing_.resize(mesh.triangles.size());
     const auto corner = [&](std::size_t t, std::size_t k) -> const Vector3d& {
         return places_[mesh.triangles[t][k]];
@@ -42,11 +42,11 @@ Picture::Picture(const SightMesh& mesh, const EyeFrame& frame, const StageProgre
     stage.report(1);
 }
 
-bool Picture::is_fold(std::uint32_t edge) const {
-    const SightMesh::Side* sides = mesh_.sides_of(edge);
-    return std::all_of(sides, sides + mesh_.side_count(edge), [&](const SightMesh::Side& side) {
-        return side_of(side) == side_of(sides[0]);
-    });
+bool Picture::is_contour(std::uint32_t edge) const {
+    const VisibilityMesh::Side* sides = mesh_.sides_of(edge);
+    return std::all_of(
+        sides, sides + mesh_.side_count(edge),
+        [&](const VisibilityMesh::Side& side) { return side_of(side) == side_of(sides[0]); });
 }
 
 int Picture::turn(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
@@ -60,16 +60,16 @@ bool Picture::covers(std::uint32_t triangle, const Vector3d& place) const {
     return true;
 }
 
-Backing Picture::look(const Vector3d& point, const SightMesh::Side* own, std::size_t own_count,
-                      double precision, std::uint32_t& hider) const {
-    const Vector3d at = frame_.place(point), to_eye = frame_.towards_eye(point);
+RayHits Picture::cast_ray(const Vector3d& point, const VisibilityMesh::Side* own,
+                          std::size_t own_count, double precision, std::uint32_t& occluder) const {
+    const Vector3d at = frame_.project(point), to_eye = frame_.towards_eye(point);
     const auto is_own = [&](std::uint32_t triangle) {
         const auto place = std::lower_bound(
             own, own + own_count, triangle,
-            [](const SightMesh::Side& side, std::uint32_t t) { return side.triangle < t; });
+            [](const VisibilityMesh::Side& side, std::uint32_t t) { return side.triangle < t; });
         return place != own + own_count && place->triangle == triangle;
     };
-    Backing result;
+    RayHits result;
     // From the nearest known surface behind the point to the eye. Where faces are seen edge-on,
     // thousands of triangles are farther behind.
     const auto column = [&] {
@@ -83,7 +83,7 @@ Backing Picture::look(const Vector3d& point, const SightMesh::Side* own, std::si
         const Vector3d normal = facing_[triangle] * mesh_.normal(triangle);
         const double height = normal.dot(point - corner);  // above it for the eye
         if (height < -precision) {
-            hider = triangle;
+            occluder = triangle;
             return false;
         }
         const double gap = std::max(height, 0.) / normal.dot(to_eye);
@@ -93,8 +93,8 @@ Backing Picture::look(const Vector3d& point, const SightMesh::Side* own, std::si
         }
         return true;
     };
-    const bool has_hider = hider < facing_.size();  // not in a mesh without triangles
-    result.is_hidden = (has_hider && !is_before(hider)) || !tree_.visit(box, is_before);
+    const bool has_occluder = occluder < facing_.size();  // not in a mesh without triangles
+    result.is_hidden = (has_occluder && !is_before(occluder)) || !tree_.visit(box, is_before);
     if (result.is_hidden) result.gap = 0;
     return result;
 }

@@ -8,7 +8,7 @@
 
 #include "mesh/box_tree.h"
 #include "visibility/eye_frame.h"
-#include "visibility/sight_mesh.h"
+#include "visibility/visibility_mesh.h"
 
 namespace laplacian_lines {
 
@@ -23,7 +23,7 @@ Eigen::AlignedBox<float, Dim> box_outside(const Eigen::AlignedBox<double, Dim>& 
 }
 
 /// What a ray from the eye through a point meets before and behind it.
-struct Backing {
+struct RayHits {
     bool is_hidden = false;
     /// From a point that is seen to the next surface behind it, local; infinite if there is none.
     double gap = std::numeric_limits<double>::infinity();
@@ -33,20 +33,20 @@ struct Backing {
 class Picture {
 public:
     /// The mesh outlives this and is in front of a perspective eye.
-    Picture(const SightMesh& mesh, const EyeFrame& frame, const StageProgress& stage);
+    Picture(const VisibilityMesh& mesh, const EyeFrame& frame, const StageProgress& stage);
 
-    const SightMesh& mesh() const { return mesh_; }
+    const VisibilityMesh& mesh() const { return mesh_; }
     const EyeFrame& frame() const { return frame_; }
     const Eigen::Vector3d& vertex(std::uint32_t vertex) const { return places_[vertex]; }
 
     /// On which side of an edge, from its first vertex to its second, its triangle lies: 1 left, −1
     /// right.
-    int side_of(const SightMesh::Side& side) const {
+    int side_of(const VisibilityMesh::Side& side) const {
         return side.is_reversed ? -facing_[side.triangle] : facing_[side.triangle];
     }
 
     /// All triangles of the edge are on one side of it.
-    bool is_fold(std::uint32_t edge) const;
+    bool is_contour(std::uint32_t edge) const;
 
     /// Orientation of c to the line from a to b: 1 left of it or on it, −1 right of it. Exchanging
     /// a and b changes the sign.
@@ -69,15 +69,15 @@ public:
 
     /// Casts a ray through a local point of the surface, ignoring the triangles `own` (ascending)
     /// that contain it. Points up to `precision`, local, from a triangle's plane are on it.
-    /// `hider`: in, a triangle to test first; out, the one that hides the point, if any.
+    /// `occluder`: in, a triangle to test first; out, the one that hides the point, if any.
     /// Neighbouring points mostly have the same.
-    Backing look(const Eigen::Vector3d& point, const SightMesh::Side* own, std::size_t own_count,
-                 double precision, std::uint32_t& hider) const;
+    RayHits cast_ray(const Eigen::Vector3d& point, const VisibilityMesh::Side* own,
+                     std::size_t own_count, double precision, std::uint32_t& occluder) const;
 
 private:
     bool covers(std::uint32_t triangle, const Eigen::Vector3d& place) const;
 
-    const SightMesh& mesh_;
+    const VisibilityMesh& mesh_;
     const EyeFrame frame_;
     std::vector<Eigen::Vector3d> places_;
     std::vector<std::int8_t> facing_;  // of triangles: 1 if counter-clockwise in the picture

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "visibility/sight_pieces.h"
+#include "visibility/visibility_pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ double share_of(const Vector3d& a, const Vector3d& b, const Vector3d& c, const V
 
 class CrossingFinder {
 public:
-    explicit CrossingFinder(const SightSegments& all) : all_(all) {
+    explicit CrossingFinder(const VisibilitySegments& all) : all_(all) {
         std::vector<std::uint32_t> dividing;
         Box bounds;
         for (std::uint32_t i = 0; i < all.segments.size(); ++i)
@@ -49,9 +49,9 @@ private:
     static constexpr std::size_t kGrain = 512;
 
     Box box_of(std::uint32_t segment) const {
-        const SightSegment& s = all_.segments[segment];
-        const Eigen::Vector2d a = all_.place(s.points[0]).head<2>(),
-                              b = all_.place(s.points[1]).head<2>();
+        const VisibilitySegment& s = all_.segments[segment];
+        const Eigen::Vector2d a = all_.projected(s.points[0]).head<2>(),
+                              b = all_.projected(s.points[1]).head<2>();
         return box_outside<2>({a.cwiseMin(b), a.cwiseMax(b)});
     }
 
@@ -69,11 +69,11 @@ private:
     }
 
     void test(std::uint32_t i, std::uint32_t k, std::vector<PictureCrossing>& found) const {
-        const SightSegment &s = all_.segments[i], &d = all_.segments[k];
+        const VisibilitySegment &s = all_.segments[i], &d = all_.segments[k];
         for (const std::uint32_t p : s.points)
             if (p == d.points[0] || p == d.points[1]) return;
-        const Vector3d &a = all_.place(s.points[0]), &b = all_.place(s.points[1]),
-                       &c = all_.place(d.points[0]), &e = all_.place(d.points[1]);
+        const Vector3d &a = all_.projected(s.points[0]), &b = all_.projected(s.points[1]),
+                       &c = all_.projected(d.points[0]), &e = all_.projected(d.points[1]);
         const double room =
             all_.picture.rise_of(std::max(kRounding * all_.picture.mesh().line_precision,
                                           reach_of(all_.picture.mesh(), s)),
@@ -88,18 +88,18 @@ private:
             return;
         const double t = share_of(a, b, c, e), u = share_of(c, e, a, b);
         const double before = a.z() + t * (b.z() - a.z()) - c.z() - u * (e.z() - c.z());
-        if (s.edge == SightSegment::kNone && before > room) return;
+        if (s.edge == VisibilitySegment::kNone && before > room) return;
         if (must_meet && std::abs(before) > room) return;
         found.push_back({{i, k}, {t, u}});
     }
 
-    const SightSegments& all_;
+    const VisibilitySegments& all_;
     BoxTree<2> tree_;  // of dividing segments
 };
 
 }  // namespace
 
-std::vector<PictureCrossing> find_crossings(const SightSegments& all) {
+std::vector<PictureCrossing> find_crossings(const VisibilitySegments& all) {
     return CrossingFinder(all).find();
 }
 

@@ -41,7 +41,7 @@ struct Heights {
     double over[3];
     int signs[3];  // 0: within the precision
 
-    Heights(const SightMesh& mesh, const Triangle& corners, const Vector3d& normal,
+    Heights(const VisibilityMesh& mesh, const Triangle& corners, const Vector3d& normal,
             const Vector3d& origin) {
         for (std::size_t k = 0; k < 3; ++k) {
             over[k] = normal.dot(mesh.positions[corners[k]] - origin);
@@ -92,9 +92,9 @@ int common_corners(const Triangle& a, const Triangle& b) {
     return count;
 }
 
-class PairJudge {
+class PairTest {
 public:
-    PairJudge(const SightMesh& mesh, const std::vector<bool>& on_border)
+    PairTest(const VisibilityMesh& mesh, const std::vector<bool>& on_border)
         : mesh_(mesh), on_border_(on_border), normals_(mesh.triangles.size()) {
         for_each_element(normals_.size(),
                          [&](std::size_t t) { normals_[t] = mesh.normal(std::uint32_t(t)); });
@@ -103,7 +103,7 @@ public:
     /// Distance within which triangles can meet.
     double reach() const { return std::max(kCrack, mesh_.precision); }
 
-    void judge(std::uint32_t t, std::uint32_t other, Found& found) const {
+    void test(std::uint32_t t, std::uint32_t other, Found& found) const {
         const Triangle &a = mesh_.triangles[t], &b = mesh_.triangles[other];
         if (common_corners(a, b) > 1) return;
         const Vector3d &n = normals_[t], &m = normals_[other];
@@ -201,7 +201,7 @@ private:
         return {{a, b}, other, mesh_.positions[a] + t * (mesh_.positions[b] - mesh_.positions[a])};
     }
 
-    const SightMesh& mesh_;
+    const VisibilityMesh& mesh_;
     const std::vector<bool>& on_border_;
     std::vector<Vector3d> normals_;  // by triangle
 };
@@ -211,11 +211,11 @@ void append(const std::vector<T>& from, std::vector<T>& to) {
     to.insert(to.end(), from.begin(), from.end());
 }
 
-Found find_pairs(const SightMesh& mesh, const std::vector<bool>& on_border, BoxTree<3>& tree,
+Found find_pairs(const VisibilityMesh& mesh, const std::vector<bool>& on_border, BoxTree<3>& tree,
                  const StageProgress& stage) {
-    const PairJudge judge(mesh, on_border);
+    const PairTest classifier(mesh, on_border);
     tree = BoxTree<3>::along_curve(mesh.triangles.size(), local_box(),
-                                   [&, reach = judge.reach() / 2](std::uint32_t t) {
+                                   [&, reach = classifier.reach() / 2](std::uint32_t t) {
                                        Eigen::AlignedBox3d box;
                                        for (const std::uint32_t v : mesh.triangles[t])
                                            box.extend(mesh.positions[v]);
@@ -227,7 +227,7 @@ Found find_pairs(const SightMesh& mesh, const std::vector<bool>& on_border, BoxT
     std::vector<Found> found(pairs.size());
     const auto find_in = [&](std::size_t pair, NoScratch&) {
         tree.visit_pairs(pairs[pair], [&](std::size_t i, std::size_t k) {
-            judge.judge(order[i], order[k], found[pair]);
+            classifier.test(order[i], order[k], found[pair]);
         });
     };
     parallel_for<NoScratch>(found.size(), stage.part(0.3, 1), find_in, 1);
@@ -259,7 +259,7 @@ void add_cuts_along_edges(Found& found) {
 
 }  // namespace
 
-std::vector<bool> border_vertices(const SightMesh& mesh) {
+std::vector<bool> border_vertices(const VisibilityMesh& mesh) {
     const CornerTable table(mesh.triangles, mesh.positions.size());
     std::vector<bool> on_border(mesh.positions.size());
     for (std::uint32_t side = 0; side < table.side_count(); ++side)
@@ -269,7 +269,7 @@ std::vector<bool> border_vertices(const SightMesh& mesh) {
     return on_border;
 }
 
-SurfaceContacts find_surface_contacts(SightMesh& mesh, const std::vector<bool>& on_border,
+SurfaceContacts find_surface_contacts(VisibilityMesh& mesh, const std::vector<bool>& on_border,
                                       const StageProgress& stage) {
     SurfaceContacts contacts;
     Found found = find_pairs(mesh, on_border, contacts.triangles, stage);

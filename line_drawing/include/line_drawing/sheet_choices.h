@@ -55,7 +55,7 @@ struct SheetOption {
     const char* form = "";  ///< placeholder for a text in the command's help
     /// The command's name for it, without --; null: the key.
     const char* command_word = nullptr;
-    bool adds_up = false;  ///< may be given several times
+    bool is_repeatable = false;  ///< may be given several times
 
     bool is_of(Place one) const { return place == Place::Both || place == one; }
     std::string command() const;  ///< "--paper"

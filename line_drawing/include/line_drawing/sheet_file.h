@@ -21,7 +21,7 @@ struct SheetFormat {
 extern const std::array<SheetFormat, 4> kSheetFormats;
 
 /// ".svg, .pdf, .dxf or .png", of all formats.
-std::string endings_in_words(const char* between, const char* last);
+std::string list_of_endings(const char* between, const char* last);
 
 /// By the extension. @throws laplacian_lines::Error(InvalidOption) if it is unknown
 const SheetFormat& format_of(const std::string& file);
@@ -51,6 +51,6 @@ std::string provenance_text(const std::vector<SourceMesh>& meshes,
 std::string provenance_in(std::string bytes);
 
 /// Whether the provenance in a file's bytes names other meshes.
-bool is_of_others(const std::string& bytes, const std::vector<SourceMesh>& meshes);
+bool is_of_other_meshes(const std::string& bytes, const std::vector<SourceMesh>& meshes);
 
 }  // namespace line_drawing

@@ -80,7 +80,7 @@ struct SheetLook {
     TextStyle text = TextStyle::Letters;
     /// Names of views, if there are several; scale bar, projection symbol, and the notes: title,
     /// scale, size and source.
-    bool has_furniture = true;
+    bool has_annotations = true;
 };
 
 struct SheetOptions : SheetLook {
@@ -115,10 +115,10 @@ double parse_scale(std::string_view text);
 /// From "auto", "1mm" (on paper), "0.9%". @throws laplacian_lines::Error(InvalidOption)
 DetailSize parse_detail_size(std::string_view text);
 /// "1:2" for 0.5.
-std::string scale_in_words(double scale);
+std::string scale_text(double scale);
 /// "50.0 × 20.0 × 1.00 mm", or in µm, m, km.
-std::string size_in_words(const Eigen::Vector3d& mm, const char* times = " × ");
+std::string size_text(const Eigen::Vector3d& mm, const char* times = " × ");
 /// "1", "0.85" or "230", of mm on paper.
-std::string kernel_in_words(double mm);
+std::string kernel_text(double mm);
 
 }  // namespace line_drawing

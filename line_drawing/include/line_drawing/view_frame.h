@@ -62,13 +62,13 @@ ViewFrame frame_of_section(const Section& section, UpAxis up);
 
 /// For any view: "toward", the direction to the viewer, that of the picture's upper edge and, in
 /// perspective, "from" and the eye, all in mesh coordinates.
-std::string frame_in_words(const ViewFrame& frame);
+std::string frame_text(const ViewFrame& frame);
 
 /// A program's own views.
 using NamedViews = std::map<std::string, ViewFrame>;
 
 /// From names separated by commas or spaces: front, back, left, right, top, bottom, six (all of
-/// these), vessel, azimuth and elevation, frame_in_words(), or names in `others`.
+/// these), vessel, azimuth and elevation, frame_text(), or names in `others`.
 /// @throws laplacian_lines::Error(InvalidOption) that says what is understood
 std::vector<ViewFrame> parse_views(std::string_view text, UpAxis up, const NamedViews& others = {});
 

@@ -22,9 +22,9 @@ constexpr double kUsualViewSize = 200;
 /// the options.
 /// @throws laplacian_lines::Error: Cancelled; InvalidOption if the eye is inside the surface or
 /// sees nothing; InvalidMesh, EmptyMesh, FieldMismatch
-std::vector<laplacian_lines::SightLine> strokes_of(const Objects& objects, const ViewFrame& frame,
-                                                   SheetOptions options,
-                                                   const laplacian_lines::Progress& progress = {},
-                                                   double size = kUsualViewSize);
+std::vector<laplacian_lines::ViewLine> strokes_of(const Objects& objects, const ViewFrame& frame,
+                                                  SheetOptions options,
+                                                  const laplacian_lines::Progress& progress = {},
+                                                  double size = kUsualViewSize);
 
 }  // namespace line_drawing

@@ -18,7 +18,7 @@ const std::map<std::string, std::string> kColors = {
     {"area", "9"},    {"names", "30"},  {"scale", "40"},  {"title", "50"}};
 
 constexpr std::size_t kCommentLength = 250;  // R12 has at most 255 characters in a line
-const char* const kFurnitureKey = "sheet";
+const char* const kAnnotationsKey = "sheet";
 
 /// As R12 allows: letters, digits, - and _.
 std::string in_signs(const std::string& name) {
@@ -59,8 +59,8 @@ private:
     std::string name_of(const SheetGroup& group, const SheetLayer& layer) const {
         const auto views =
             std::count_if(sheet_.groups.begin(), sheet_.groups.end(),
-                          [](const SheetGroup& other) { return other.key != kFurnitureKey; });
-        const bool is_one_of_many = views > 1 && group.key != kFurnitureKey;
+                          [](const SheetGroup& other) { return other.key != kAnnotationsKey; });
+        const bool is_one_of_many = views > 1 && group.key != kAnnotationsKey;
         return (is_one_of_many ? in_signs(group.key) + '_' : "") + in_signs(layer.key);
     }
 

@@ -13,7 +13,7 @@ using Eigen::Vector2d;
 
 constexpr double kPointsPerMm = 72 / 25.4;
 
-std::string place(const Vector2d& p) {
+std::string coordinates(const Vector2d& p) {
     return in_thousandths(p.x()) + ' ' + in_thousandths(p.y()) + ' ';
 }
 
@@ -23,11 +23,12 @@ std::string path_data(const Path& path) {
         const Path::Piece& piece = path.pieces[i];
         if (piece.step == Path::Step::Move) {
             begin = i;
-            data += place(piece.end) + "m ";
+            data += coordinates(piece.end) + "m ";
         } else if (piece.step == Path::Step::Line) {
-            data += place(piece.end) + "l ";
+            data += coordinates(piece.end) + "l ";
         } else {
-            data += place(piece.first) + place(piece.second) + place(piece.end) + "c ";
+            data += coordinates(piece.first) + coordinates(piece.second) + coordinates(piece.end) +
+                    "c ";
         }
         const bool is_last =
             i + 1 == path.pieces.size() || path.pieces[i + 1].step == Path::Step::Move;
@@ -118,7 +119,7 @@ private:
             const char* fill = path.path.fill_rule == FillRule::EvenOdd ? "f*\n" : "f\n";
             data_ += in_digits(path.tone) + " g " + path_data(path.path) + fill;
         } else if (path.dash > 0) {
-            data_ += "q 0 J [" + place({path.dash, path.dash / 2}) + "] 0 d ";
+            data_ += "q 0 J [" + coordinates({path.dash, path.dash / 2}) + "] 0 d ";
             stroke(path);
             data_ += "Q\n";
         } else {
@@ -137,7 +138,7 @@ private:
         }
         const std::string height = in_thousandths(text.height);
         data_ += "0 g BT " + height + " 0 0 -" + height + ' ' +
-                 place(text.begin(standard.width * text.height)) + "Tm";
+                 coordinates(text.begin(standard.width * text.height)) + "Tm";
         for (const FontRun& run : standard.runs)
             data_ += std::string(run.font == StandardFont::Symbol ? " /S" : " /H") + " 1 Tf (" +
                      escaped(run.codes) + ") Tj";

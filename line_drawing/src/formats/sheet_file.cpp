@@ -59,7 +59,7 @@ const std::array<SheetFormat, 4> kSheetFormats = {{{"svg", write_svg, true, true
                                                    {"dxf", write_dxf, true, false},
                                                    {"png", write_png, false, true}}};
 
-std::string endings_in_words(const char* between, const char* last) {
+std::string list_of_endings(const char* between, const char* last) {
     std::string words;
     for (const SheetFormat& format : kSheetFormats) {
         if (!words.empty()) words += &format == &kSheetFormats.back() ? last : between;
@@ -71,7 +71,7 @@ std::string endings_in_words(const char* between, const char* last) {
 const SheetFormat& format_of(const std::string& file) {
     for (const SheetFormat& format : kSheetFormats)
         if (ends_with(lower(file), std::string(".") + format.ending)) return format;
-    refuse("\"" + file + "\" does not end in " + endings_in_words(", ", " or ") +
+    refuse("\"" + file + "\" does not end in " + list_of_endings(", ", " or ") +
            ", which say what kind of file to write.");
 }
 
@@ -81,8 +81,8 @@ std::string write_sheet(const Sheet& sheet, const std::string& file, double dpi)
 
 std::vector<std::string> check_texts(const SheetOptions& options, const std::string& file) {
     if (format_of(file).has_any_letter && options.text == TextStyle::Letters) return {};
-    const std::string of_title = lacking_letter(one_line(options.title)),
-                      of_source = lacking_letter(one_line(options.source));
+    const std::string of_title = missing_letter(one_line(options.title)),
+                      of_source = missing_letter(one_line(options.source));
     const auto complaint = [](const std::string& letter, const std::string& text) {
         return "Only " + formats_of_any_letter() + " files with letters can have the letter \"" +
                letter + "\" of " + text;
@@ -116,7 +116,7 @@ std::string provenance_in(std::string bytes) {
     return bytes;
 }
 
-bool is_of_others(const std::string& bytes, const std::vector<SourceMesh>& meshes) {
+bool is_of_other_meshes(const std::string& bytes, const std::vector<SourceMesh>& meshes) {
     const std::string made = provenance_in(bytes);
     return !made.empty() && made.find(meshes_text(meshes) + '}') == made.npos;
 }

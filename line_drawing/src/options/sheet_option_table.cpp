@@ -23,7 +23,7 @@ SheetOption sections() {
         "one end of the object to the other. Empty: none.",
         "x|y|z=0..1");
     option.command_word = "section";
-    option.adds_up = true;
+    option.is_repeatable = true;
     return option;
 }
 
@@ -43,7 +43,7 @@ std::vector<const char*> column_of(const Table& table, const char* Row::*name) {
 
 SheetOption file() {
     static const std::string help =
-        "Ends in " + endings_in_words(", ", " or ") + ". {folder}, {name}: the mesh's.";
+        "Ends in " + list_of_endings(", ", " or ") + ". {folder}, {name}: the mesh's.";
     return {rows::file(&S::file, "file", "File", help.c_str(),
                        column_of(kSheetFormats, &SheetFormat::ending)),
             Place::Filter};
@@ -103,8 +103,8 @@ std::vector<SheetOption> make_table() {
             "weights", "Line Weights", {"Illustrator", "ISO 128"},
             "Illustrator: outlines are widest, edges within the form thin. ISO 128: edges that are "
             "seen are as wide as outlines, other lines half as wide.")},
-        {rows::boolean<kLook, &SheetLook::has_furniture>(
-             "furniture", "Scale Bar and Notes",
+        {rows::boolean<kLook, &SheetLook::has_annotations>(
+             "annotations", "Scale Bar and Notes",
              "Names of views, scale bar, symbol of the projection, notes of scale, size and file."),
          Place::Both,
          {"none", "all"}},

@@ -87,12 +87,12 @@ DetailSize parse_detail_size(std::string_view text) {
     return {is_share ? size / 100 : size, is_share};
 }
 
-std::string scale_in_words(double scale) {
+std::string scale_text(double scale) {
     constexpr int digits = 9;
     return scale < 1 ? "1:" + in_digits(1 / scale, digits) : in_digits(scale, digits) + ":1";
 }
 
-std::string size_in_words(const Eigen::Vector3d& mm, const char* times) {
+std::string size_text(const Eigen::Vector3d& mm, const char* times) {
     const double longest = mm.maxCoeff() > 0 ? mm.maxCoeff() : 1;
     const LengthUnit* unit = kLengthUnits;
     while (unit + 1 != std::end(kLengthUnits) && longest >= unit->below)
@@ -103,7 +103,7 @@ std::string size_in_words(const Eigen::Vector3d& mm, const char* times) {
     return joined(sides, times) + unit->name;
 }
 
-std::string kernel_in_words(double mm) {
+std::string kernel_text(double mm) {
     return mm < 100 ? in_digits(mm, 2) : in_decimals(mm, 0);
 }
 
@@ -128,7 +128,7 @@ std::string SheetOption::value_in(const SheetChoices& choices) const {
 
 void SheetOption::read(const std::string& word, SheetChoices& choices) const {
     if (row.text) {
-        choices.*row.text = adds_up ? choices.*row.text + ' ' + word : word;
+        choices.*row.text = is_repeatable ? choices.*row.text + ' ' + word : word;
         return;
     }
     if (const Words known = words(); !known.empty()) {

@@ -189,7 +189,7 @@ ViewFrame frame_of_section(const Section& section, UpAxis up) {
     return frame;
 }
 
-std::string frame_in_words(const ViewFrame& frame) {
+std::string frame_text(const ViewFrame& frame) {
     constexpr int digits = 9;
     std::string words = kToward;
     const auto add = [&](const Vector3d& vector) {

@@ -128,10 +128,10 @@ public:
     void append(const Polygon& line) {
         Point before = Point::Zero();  // direction of the last piece; 0: there is none
         for (std::size_t i = 1; i < line.size(); ++i) {
-            const Point way = line[i] - line[i - 1];
-            const double length = way.norm();
+            const Point span = line[i] - line[i - 1];
+            const double length = span.norm();
             if (!(length > 0)) continue;
-            const Point direction = way / length;
+            const Point direction = span / length;
             if (before.isZero(0))
                 end(line[i - 1], -direction);
             else

@@ -8,7 +8,7 @@
 #include "pixels/painting.h"
 #include "sheet/sheet_layout.h"
 #include "sight/object_lines.h"
-#include "sight/observer.h"
+#include "sight/view_builder.h"
 
 namespace line_drawing {
 namespace {
@@ -75,10 +75,10 @@ std::vector<std::uint8_t> paint_ink(const DrawnView& drawn, const Placement& pla
 
 struct ViewPainter::Data {
     explicit Data(Objects all)
-        : objects(std::move(all)), observer(objects), lines(objects, kMostKeptBytes) {}
+        : objects(std::move(all)), builder(objects), lines(objects, kMostKeptBytes) {}
 
     const Objects objects;
-    Observer observer;
+    ViewBuilder builder;
     ObjectLines lines;
     bool is_ready = false;  ///< visibility is prepared
 };
@@ -88,27 +88,27 @@ ViewPainter::ViewPainter(Objects objects) : data_(std::make_unique<Data>(std::mo
 ViewPainter::~ViewPainter() = default;
 
 void ViewPainter::prepare(const Progress& progress) {
-    if (!data_->is_ready) data_->observer.prepare({{}}, progress);
+    if (!data_->is_ready) data_->builder.prepare({{}}, progress);
     data_->is_ready = true;
 }
 
 PaintedView ViewPainter::paint(const WindowView& view, SheetOptions options,
                                const std::vector<Ink>& inks, bool may_wait,
                                const Progress& progress) {
-    Observer& observer = data_->observer;
+    ViewBuilder& builder = data_->builder;
     prepare(part(progress, 0, kSightShare));
-    DrawnView drawn = observer.stand(view.frame, options);
+    DrawnView drawn = builder.empty_view(view.frame, options);
     const Placement placement =
-        placement_of(view, observer.middle(), options.mm_per_unit, observer.object_size().norm());
+        placement_of(view, builder.middle(), options.mm_per_unit, builder.object_size().norm());
     options.pens = pens_for(placement.on_sheet(drawn.bounds).sizes().maxCoeff(), options.pens);
     PaintedView painted{view.size};
     painted.is_final =
-        data_->lines.make_ready(options, placement.scale, may_wait ? Kernel::Exact : Kernel::AtHand,
-                                part(progress, kSightShare, kLinesShare));
+        data_->lines.prepare(options, placement.scale, may_wait ? Kernel::Exact : Kernel::Nearest,
+                             part(progress, kSightShare, kLinesShare));
     options.kernel = {data_->lines.kernel_size() * options.mm_per_unit * placement.scale, false};
     report(progress, kLinesShare, "Finding lines");
-    const auto lines = data_->lines.extract(observer.view_of(drawn, options), options.style);
-    observer.look(drawn, lines, options, part(progress, kLinesShare, 1));
+    const auto lines = data_->lines.extract(builder.view_of(drawn, options), options.style);
+    builder.add_lines(drawn, lines, options, part(progress, kLinesShare, 1));
     std::vector<DrawnLine> all;
     for (DrawnLine& line : drawn.lines)
         if (is_near(line, placement, view)) all.push_back(std::move(line));

@@ -19,14 +19,14 @@ std::vector<std::size_t> corners_of(const std::vector<Point>& points, std::size_
     while (!parts.empty()) {
         const auto [begin, end] = parts.back();
         parts.pop_back();
-        const Point way = (points[end] - points[begin]).stableNormalized();
+        const Point span = (points[end] - points[begin]).stableNormalized();
         std::size_t farthest = begin;
         double most = tolerance;
         for (std::size_t i = begin + 1; i < end; ++i) {
             const Point p = points[i] - points[begin];
-            const double along = std::clamp(way.dot(p), 0., way.dot(points[end] - points[begin]));
-            if ((p - along * way).norm() <= most) continue;
-            most = (p - along * way).norm();
+            const double along = std::clamp(span.dot(p), 0., span.dot(points[end] - points[begin]));
+            if ((p - along * span).norm() <= most) continue;
+            most = (p - along * span).norm();
             farthest = i;
         }
         if (farthest == begin) {

@@ -16,10 +16,10 @@ using Eigen::Vector3d;
 using laplacian_lines::LinePoint;
 using laplacian_lines::LineSet;
 using laplacian_lines::Polyline;
-using laplacian_lines::SightLine;
-using laplacian_lines::SightPoint;
 using laplacian_lines::Triangle;
 using laplacian_lines::TriangleMesh;
+using laplacian_lines::ViewLine;
+using laplacian_lines::ViewLinePoint;
 using Place = std::array<double, 3>;
 
 Place place_of(const Vector3d& p) {
@@ -101,14 +101,14 @@ LinePoint between(const LinePoint& a, const LinePoint& b, double t) {
 Vector3d between(const Vector3d& a, const Vector3d& b, double t) {
     return (1 - t) * a + t * b;
 }
-const Vector3d& position_of(const SightPoint& p) {
+const Vector3d& position_of(const ViewLinePoint& p) {
     return p.position;
 }
-SightPoint between(const SightPoint& a, const SightPoint& b, double t) {
+ViewLinePoint between(const ViewLinePoint& a, const ViewLinePoint& b, double t) {
     const auto mix = [t](float x, float y) { return float((1 - t) * double(x) + t * double(y)); };
     return {between(a.position, b.position, t), mix(a.weight, b.weight),
             mix(a.gradient, b.gradient),        mix(a.opacity, b.opacity),
-            laplacian_lines::kNoSightNode,      true};
+            laplacian_lines::kNoNode,           true};
 }
 
 template <class Point>
@@ -217,12 +217,12 @@ LineSet clip(const LineSet& lines, const HalfSpace& inside) {
     return result;
 }
 
-std::vector<SightLine> clip(const std::vector<SightLine>& lines, const HalfSpace& inside) {
-    std::vector<SightLine> result;
-    for (const SightLine& line : lines)
+std::vector<ViewLine> clip(const std::vector<ViewLine>& lines, const HalfSpace& inside) {
+    std::vector<ViewLine> result;
+    for (const ViewLine& line : lines)
         for (auto& run : runs_inside(line.points.data(), line.points.size(), inside)) {
             if (run.size() < 2) continue;
-            SightLine part = line;
+            ViewLine part = line;
             part.closed = line.closed && run.size() == line.points.size();
             part.points = std::move(run);
             result.push_back(std::move(part));

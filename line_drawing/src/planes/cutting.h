@@ -51,8 +51,8 @@ struct HalfSpace {
 
 /// The parts inside, which end on the plane. Closed lines inside stay closed.
 laplacian_lines::LineSet clip(const laplacian_lines::LineSet& lines, const HalfSpace& inside);
-std::vector<laplacian_lines::SightLine> clip(const std::vector<laplacian_lines::SightLine>& lines,
-                                             const HalfSpace& inside);
+std::vector<laplacian_lines::ViewLine> clip(const std::vector<laplacian_lines::ViewLine>& lines,
+                                            const HalfSpace& inside);
 std::vector<Cut> clip(const std::vector<Cut>& lines, const HalfSpace& inside);
 
 /// A loop around the intersection of both (even-odd); it may run along the plane several times.

@@ -15,7 +15,7 @@ using Point = Path::Point;
 constexpr char32_t kNoCharacter = 0xfffd;
 
 /// Letters that the font lacks, and their substitutes.
-constexpr std::u32string_view kLacking = U"\u2300\u2205\u2011\u2236";
+constexpr std::u32string_view kSubstituted = U"\u2300\u2205\u2011\u2236";
 constexpr std::u32string_view kSubstitutes = U"\u00d8\u00d8-:";
 
 /// Of height 1.
@@ -28,9 +28,9 @@ public:
 
     /// 0 if there is none, nor a substitute.
     int glyph_of(char32_t letter) const {
-        const std::size_t place = kLacking.find(letter);
+        const std::size_t place = kSubstituted.find(letter);
         const int own = stbtt_FindGlyphIndex(&font_, int(letter));
-        if (own != 0 || place == kLacking.npos) return own;
+        if (own != 0 || place == kSubstituted.npos) return own;
         return stbtt_FindGlyphIndex(&font_, int(kSubstitutes[place]));
     }
 
@@ -103,7 +103,7 @@ SheetPath outlines_of(const SheetText& text) {
     return {path.placed(text.height, text.begin(width * text.height))};
 }
 
-std::string lacking_letter(const std::string& text) {
+std::string missing_letter(const std::string& text) {
     for (const char32_t letter : letters_of(text))
         if (letter != kNoCharacter && font().glyph_of(letter) == 0) return in_utf8({&letter, 1});
     return {};

@@ -20,7 +20,7 @@ double width_of(const std::string& text);
 SheetPath outlines_of(const SheetText& text);
 
 /// The first letter that would become a box, or nothing.
-std::string lacking_letter(const std::string& text);
+std::string missing_letter(const std::string& text);
 
 /// ../../letters/letters.ttf; CMake writes its source.
 extern const std::string_view kLettersFont;

@@ -21,10 +21,13 @@ double manhattan(const Point& p) {
 
 /// Whether both handles together are nearer than `tolerance` to the line from begin to end.
 bool is_flat(const Point& begin, const Path::Piece& curve, double tolerance) {
-    const Point way = curve.end - begin, first = begin - curve.first, second = begin - curve.second;
-    const double length = manhattan(way);
+    const Point span = curve.end - begin, first = begin - curve.first,
+                second = begin - curve.second;
+    const double length = manhattan(span);
     if (length <= 2 * tolerance) return manhattan(first) + manhattan(second) < tolerance;
-    const auto across = [&](const Point& p) { return std::abs(way.x() * p.y() - way.y() * p.x()); };
+    const auto across = [&](const Point& p) {
+        return std::abs(span.x() * p.y() - span.y() * p.x());
+    };
     return across(first) + across(second) < tolerance * length;
 }
 

@@ -77,7 +77,7 @@ std::vector<SectionMark> marks_of(const ViewFrame& frame, const SheetOptions& op
         if (std::abs(frame.towards_viewer[section.axis]) > on_edge) continue;
         const Vector2d across(frame.right[section.axis], frame.up[section.axis]);
         const Eigen::Vector3d sight = -frame_of_section(section, options.up).towards_viewer;
-        const double offset = place_on_axis(section, box) - box.center()[section.axis];
+        const double offset = position_on_axis(section, box) - box.center()[section.axis];
         marks.push_back({letter_of(i),
                          options.mm_per_unit * offset * across,
                          {across.y(), -across.x()},

@@ -9,7 +9,7 @@
 namespace line_drawing {
 
 /// Mesh coordinates; `box` is the mesh's bounding box.
-inline double place_on_axis(const Section& section, const Eigen::AlignedBox3d& box) {
+inline double position_on_axis(const Section& section, const Eigen::AlignedBox3d& box) {
     return box.min()[section.axis] + section.share * box.sizes()[section.axis];
 }
 

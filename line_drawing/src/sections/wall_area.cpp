@@ -10,9 +10,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr std::size_t kRowCount = 256;  // of a wall's edges, and at which its area is measured
-constexpr double kLeastOverlap = .01;   // of the smaller of two walls
-constexpr double kSlightShare = 1e-6;   // of the area's size: tolerance at its border
+constexpr std::size_t kRowCount = 256;     // of a wall's edges, and at which its area is measured
+constexpr double kLeastOverlap = .01;      // of the smaller of two walls
+constexpr double kBorderTolerance = 1e-6;  // of the area's size: tolerance at its border
 
 Eigen::AlignedBox2d box_of(const Wall& wall) {
     Eigen::AlignedBox2d box;
@@ -130,7 +130,7 @@ WallArea::WallArea(const Wall& loops) {
     rows_.resize(kRowCount);
     low_ = box.min().y();
     row_height_ = std::max(box.sizes().y() / kRowCount, 1e-12);
-    slight_ = kSlightShare * box.sizes().norm();
+    slight_ = kBorderTolerance * box.sizes().norm();
     for (const auto& loop : loops)
         for (std::size_t i = 1; i < loop.size(); ++i) {
             const auto [low, high] = std::minmax({loop[i - 1].y(), loop[i].y()});

@@ -103,11 +103,11 @@ SheetOptions contact_options(const laplacian_lines::TriangleMesh& mesh,
                                           : options.views.front()};
     result.sections.clear();
     result.paper = "fit";
-    result.has_furniture = false;
+    result.has_annotations = false;
     const Eigen::Vector2d size =
         Projection(result.views[0], Eigen::Vector3d::Zero()).bounds_of(mesh).sizes();
     const double longest = options.mm_per_unit * size.maxCoeff();
-    result.title = size_in_words(options.mm_per_unit * bounds_of(mesh).sizes());
+    result.title = size_text(options.mm_per_unit * bounds_of(mesh).sizes());
     result.scale = longest > 0 ? kViewSize / longest : 1;
     result.pens = {0.35, 0.25, 0.18, 0.18, 0.13, 0.25, 0.13};
     return result;

@@ -12,7 +12,7 @@
 #include "planes/lettering.h"
 #include "sheet/sheet_layout.h"
 #include "sight/object_lines.h"
-#include "sight/observer.h"
+#include "sight/view_builder.h"
 
 namespace line_drawing {
 namespace {
@@ -48,7 +48,7 @@ void name_sections(std::vector<DrawnView>& views) {
 }
 
 /// Makes keys unique, since a view may be given twice.
-void tell_apart(std::vector<SheetGroup>& groups) {
+void make_keys_unique(std::vector<SheetGroup>& groups) {
     std::set<std::string> keys;
     for (SheetGroup& group : groups) {
         const std::string key = group.key;
@@ -77,12 +77,12 @@ struct Draft {
     double kernel = 0;                                              ///< as Sheet's
 };
 
-Draft lay_out(Observer& observer, const SheetOptions& options) {
+Draft lay_out(ViewBuilder& builder, const SheetOptions& options) {
     std::vector<DrawnView> views;
     for (const ViewFrame& frame : options.views)
-        views.push_back(observer.stand(frame, options));
+        views.push_back(builder.empty_view(frame, options));
     for (const Section& section : options.sections)
-        views.push_back(observer.cut(section, options));
+        views.push_back(builder.section_view(section, options));
     name_sections(views);
     SheetLayout layout = lay_out(views, options);
     double size = 0;
@@ -93,53 +93,53 @@ Draft lay_out(Observer& observer, const SheetOptions& options) {
     return {std::move(with_pens), std::move(views), std::move(layout)};
 }
 
-void find_lines(const Observer& observer, ObjectLines& lines, Draft& draft,
+void find_lines(const ViewBuilder& builder, ObjectLines& lines, Draft& draft,
                 const Progress& progress) {
     SheetOptions& options = draft.options;
     if (options.views.empty()) return;  // sections have their lines already
     const double scale = draft.layout.placements[0].scale;
-    lines.make_ready(options, scale, Kernel::Exact, progress);
+    lines.prepare(options, scale, Kernel::Exact, progress);
     draft.remarks = lines.remarks();
     const bool is_given = options.kernel.size > 0,
-               is_detail = lines.kernel_size() <= kLargestKernel * observer.object_size().norm();
+               is_detail = lines.kernel_size() <= kLargestKernel * builder.object_size().norm();
     options.kernel = {lines.kernel_size() * options.mm_per_unit * scale, false};
     if (is_given || is_detail) draft.kernel = options.kernel.size;
     for (std::size_t i = 0; i < options.views.size(); ++i)
         draft.lines.push_back(
-            lines.extract(observer.view_of(draft.views[i], options), options.style));
+            lines.extract(builder.view_of(draft.views[i], options), options.style));
 }
 
 /// Adds the visible lines of all views. Returns the length of missing outlines by view, mm.
-std::vector<double> look(const Observer& observer, Draft& draft, const Progress& progress) {
+std::vector<double> add_lines(const ViewBuilder& builder, Draft& draft, const Progress& progress) {
     const std::size_t count = draft.options.views.size();
     std::vector<double> missing(count);
     SharedProgress shared(progress, count);
-    const auto look_at = [&](std::size_t i) {
-        observer.look(draft.views[i], draft.lines[i], draft.options, shared.of(i));
+    const auto add_lines_of = [&](std::size_t i) {
+        builder.add_lines(draft.views[i], draft.lines[i], draft.options, shared.of(i));
         draft.lines[i].clear();
     };
     const auto check = [&](std::size_t i) {
-        missing[i] = observer.check_outlines(draft.views[i], draft.options,
-                                             kCheckPixel / draft.layout.placements[i].scale);
+        missing[i] = builder.check_outlines(draft.views[i], draft.options,
+                                            kCheckPixel / draft.layout.placements[i].scale);
     };
-    if (observer.triangle_count() <= kMostTrianglesAtOnce)
-        laplacian_lines::in_parallel(count, [&](std::size_t i) { look_at(i), check(i); });
+    if (builder.triangle_count() <= kMostTrianglesAtOnce)
+        laplacian_lines::in_parallel(count, [&](std::size_t i) { add_lines_of(i), check(i); });
     else  // one after the other, for memory; the one before is checked meanwhile
         for (std::size_t i = 0; i <= count; ++i)
             laplacian_lines::in_parallel(2, [&](std::size_t is_check) {
-                if (is_check ? i > 0 : i < count) is_check ? check(i - 1) : look_at(i);
+                if (is_check ? i > 0 : i < count) is_check ? check(i - 1) : add_lines_of(i);
             });
     report(progress, 1, "Finding what is seen");
     return missing;
 }
 
-Sheet draw(const Observer& observer, Draft& draft, const Progress& progress) {
+Sheet draw(const ViewBuilder& builder, Draft& draft, const Progress& progress) {
     const SheetOptions& options = draft.options;
     const SheetLayout& layout = draft.layout;
     std::vector<DrawnView>& views = draft.views;
     Sheet sheet{layout.size, options.title, {}, layout.scale, draft.kernel};
     sheet.remarks = draft.remarks;
-    const std::vector<double> missing = look(observer, draft, progress);
+    const std::vector<double> missing = add_lines(builder, draft, progress);
     for (std::size_t i = 0; i < missing.size(); ++i) {
         if (missing[i] > 0) sheet.remarks.push_back(remark_on(views[i], missing[i]));
         if (!views[i].note.empty()) sheet.remarks.push_back(remark_on(views[i].note));
@@ -148,10 +148,10 @@ Sheet draw(const Observer& observer, Draft& draft, const Progress& progress) {
     laplacian_lines::in_parallel(views.size(), [&](std::size_t i) {
         sheet.groups[i] = draw_view(views[i], i + 1, layout.placements[i], options);
     });
-    tell_apart(sheet.groups);
-    SheetGroup furniture =
-        draw_furniture(views, layout, options.mm_per_unit * observer.object_size(), options, sheet);
-    if (!furniture.layers.empty()) sheet.groups.push_back(std::move(furniture));
+    make_keys_unique(sheet.groups);
+    SheetGroup annotations = draw_annotations(
+        views, layout, options.mm_per_unit * builder.object_size(), options, sheet);
+    if (!annotations.layers.empty()) sheet.groups.push_back(std::move(annotations));
     if (options.text == TextStyle::Outlines) outline_texts(sheet);
     return sheet;
 }
@@ -182,23 +182,23 @@ std::vector<Sheet> make_sheets(const Objects& objects, const std::vector<SheetOp
     if (objects.empty()) refuse("A drawing needs an object.");
     for (const SheetOptions& o : options)
         check(o);
-    Observer observer(objects);
+    ViewBuilder builder(objects);
     std::vector<Draft> drafts;
     for (SheetOptions o : options) {
         o.title = one_line(o.title);
         o.source = one_line(o.source);
-        drafts.push_back(lay_out(observer, o));  // before much work, since it may refuse
+        drafts.push_back(lay_out(builder, o));  // before much work, since it may refuse
     }
     {
         ObjectLines lines(objects);  // freed before visibility is prepared: both are large
         for_each(drafts, part(progress, 0, kLinesShare), [&](Draft& draft, const Progress& own) {
-            find_lines(observer, lines, draft, own);
+            find_lines(builder, lines, draft, own);
         });
     }
-    observer.prepare(options, part(progress, kLinesShare, kSightShare));
+    builder.prepare(options, part(progress, kLinesShare, kSightShare));
     std::vector<Sheet> sheets;
     for_each(drafts, part(progress, kSightShare, 1), [&](Draft& draft, const Progress& own) {
-        sheets.push_back(draw(observer, draft, own));
+        sheets.push_back(draw(builder, draft, own));
     });
     return sheets;
 }

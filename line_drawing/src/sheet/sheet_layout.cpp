@@ -144,7 +144,7 @@ struct Band {
     double before = 0, behind = 0;
     double room = 0;    // for marks at both ends, mm on the sheet
     double name = 0;    // width of the widest name, likewise
-    double middle = 0;  // position on the sheet, mm, set by place()
+    double middle = 0;  // position on the sheet, mm, set by set_middles()
 
     void hold(double b, double a, double r) {
         before = std::max(before, b);
@@ -155,7 +155,7 @@ struct Band {
 using Bands = std::map<int, Band>;
 
 /// Sets the middles from `start` on; returns the end of the last.
-double place(Bands& bands, double start, double scale, double gap) {
+double set_middles(Bands& bands, double start, double scale, double gap) {
     double end = start;
     for (auto& [number, band] : bands) {
         if (end != start) end += gap;
@@ -183,7 +183,7 @@ public:
             const Vector2d room = room_of_marks(views[i]);
             Band& column = columns_[cells_[i].column];
             column.hold(-box.min().x(), box.max().x(), room.x());
-            if (options.has_furniture && views.size() > 1)
+            if (options.has_annotations && views.size() > 1)
                 column.name =
                     std::max(column.name,
                              width_in_any_font(name_of(views[i].frame, !are_in_perspective(views)),
@@ -194,9 +194,9 @@ public:
 
     /// Without annotations.
     Vector2d size_at(double scale) {
-        const double below = options_.has_furniture ? 2 * kViewNameHeight : 0;
-        return {place(columns_, 0, scale, kViewGap),
-                place(rows_, 0, scale, kViewGap + below) + below};
+        const double below = options_.has_annotations ? 2 * kViewNameHeight : 0;
+        return {set_middles(columns_, 0, scale, kViewGap),
+                set_middles(rows_, 0, scale, kViewGap + below) + below};
     }
 
     SheetLayout lay_out(double scale, const Vector2d& paper) {
@@ -309,11 +309,11 @@ SheetLayout lay_out_at(Layout& layout, double scale, const Vector2d& upright,
         if (fits(size, paper)) return layout.lay_out(scale, paper);
     const auto best = std::max(largest_scale(layout, upright).value_or(0),
                                largest_scale(layout, upright.reverse()).value_or(0));
-    refuse("At the scale " + scale_in_words(scale) + " the views take " +
+    refuse("At the scale " + scale_text(scale) + " the views take " +
            in_digits(std::ceil(size.x())) + " x " + in_digits(std::ceil(size.y())) + " mm, and " +
            upper(name) + " paper has room for " + in_digits(room(upright).x()) + " x " +
            in_digits(room(upright).y()) + ". Take " +
-           (best > 0 ? "the scale " + scale_in_words(best) + ", " : "") +
+           (best > 0 ? "the scale " + scale_text(best) + ", " : "") +
            "a larger paper, or the paper \"fit\".");
 }
 

@@ -27,9 +27,9 @@ Pens pens_for(double size, Pens pens);
 
 /// Draws names of views, scale bar, projection symbol, title and notes. Adds remarks to the sheet
 /// if texts are too long.
-SheetGroup draw_furniture(const std::vector<DrawnView>& views, const SheetLayout& layout,
-                          const Eigen::Vector3d& object_size, const SheetOptions& options,
-                          Sheet& sheet);
+SheetGroup draw_annotations(const std::vector<DrawnView>& views, const SheetLayout& layout,
+                            const Eigen::Vector3d& object_size, const SheetOptions& options,
+                            Sheet& sheet);
 
 /// Below its view.
 std::string name_of(const ViewFrame& frame, bool beside_scale);

@@ -16,8 +16,8 @@ namespace {
 constexpr double kDoubleReach = 0.4;
 constexpr double kAreaTone = 0.9;
 constexpr double kAreaTolerance = 0.001;    // mm: what files have
-constexpr double kEasedShare = 0.16;        // contours move by so much of the width of outlines
-constexpr double kEasedShareOfInner = 0.6;  // inner lines by so much of their width
+constexpr double kContourSmoothing = 0.16;  // contours move by so much of the width of outlines
+constexpr double kInnerSmoothing = 0.6;     // inner lines by so much of their width
 constexpr double kLeastShare = 0.03;        // of the picture: least length of isolated lines
 constexpr double kHatchSpacing = 1.5, kHatchWidth = 0.5;  // mm; share of an inner line's width
 
@@ -30,7 +30,7 @@ constexpr LayerName kLayerNames[kLineClassCount] = {
     {"inner", "Inner lines"},  {"fine", "Fine lines"},  {"section", "Sections"},
     {"hidden", "Hidden lines"}};
 
-std::vector<DrawnLine> place(std::vector<DrawnLine> lines, const Placement& placement) {
+std::vector<DrawnLine> on_sheet(std::vector<DrawnLine> lines, const Placement& placement) {
     for (DrawnLine& line : lines) {
         line.jump *= placement.scale;
         for (DrawnPoint& point : line.points)
@@ -39,7 +39,7 @@ std::vector<DrawnLine> place(std::vector<DrawnLine> lines, const Placement& plac
     return lines;
 }
 
-std::vector<MergedWalls> place(std::vector<MergedWalls> walls, const Placement& placement) {
+std::vector<MergedWalls> on_sheet(std::vector<MergedWalls> walls, const Placement& placement) {
     for (MergedWalls& merged : walls)
         for (Wall& wall : merged)
             for (auto& loop : wall)
@@ -99,7 +99,7 @@ Loop corners_of(Loop loop) {
 /// The exact area that closed outlines enclose, before smoothing and cleaning.
 SheetPath area_of(const std::vector<DrawnLine>& lines, const Placement& placement) {
     Wall loops;
-    for (const DrawnLine& line : place(lines, placement))
+    for (const DrawnLine& line : on_sheet(lines, placement))
         if (line.line_class == LineClass::Outline && line.closed && line.points.size() > 3)
             loops.push_back(corners_of(positions_of(line)));
     return filled(loops, kAreaTone);
@@ -120,9 +120,9 @@ std::vector<DrawnLine> draw_lines(const DrawnView& view, const Placement& placem
                                   const SheetOptions& options) {
     const double pen = options.pens[std::size_t(LineClass::Outline)],
                  inner_pen = options.pens[std::size_t(LineClass::Inner)];
-    std::vector<DrawnLine> lines = place(view.lines, placement);
-    lines = without_slight_lines(std::move(lines), options);
-    ease_lines(lines, kEasedShare * pen);
+    std::vector<DrawnLine> lines = on_sheet(view.lines, placement);
+    lines = without_specks(std::move(lines), options);
+    smooth_contours(lines, kContourSmoothing * pen);
     lines = without_doubles(std::move(lines), kDoubleReach * pen);
     const bool is_tapered = options.strokes == StrokeStyle::Tapered;
     const auto make_whole = [&] { lines = chain(std::move(lines), options.pens, is_tapered); };
@@ -132,7 +132,7 @@ std::vector<DrawnLine> draw_lines(const DrawnView& view, const Placement& placem
     lines = thin_out(std::move(lines), options.pens);
     make_whole();  // again, over gaps that lines have left
     const std::vector<MetEnd> met = join_ends(lines, inner_pen);
-    ease_inner_lines(lines, kEasedShareOfInner * inner_pen);
+    smooth_inner_lines(lines, kInnerSmoothing * inner_pen);
     follow_met(met, inner_pen, lines);
     const double size = placement.on_sheet(view.bounds).sizes().maxCoeff();
     return without_fragments(std::move(lines), kLeastShare * size, inner_pen);
@@ -145,7 +145,7 @@ SheetGroup draw_view(const DrawnView& view, std::size_t number, const Placement&
     SheetGroup group{key, view.frame.name, {}};
     std::vector<DrawnLine> lines = draw_lines(view, placement, options);
     if (options.strokes == StrokeStyle::Tapered) point_ends(lines, options.pens);
-    const std::vector<MergedWalls> walls = place(view.walls, placement);
+    const std::vector<MergedWalls> walls = on_sheet(view.walls, placement);
     if (options.wall == WallStyle::Hatched) add_hatching(walls, lines);
     if (options.area != OutlineArea::None) group.layers.push_back(areas(view, placement));
     for (std::size_t c = kLineClassCount; c-- > 0;) {

@@ -8,14 +8,14 @@
 #include "planes/corners.h"
 #include "sheet/sheet_layout.h"
 #include "sight/object_lines.h"
-#include "sight/observer.h"
+#include "sight/view_builder.h"
 
 namespace line_drawing {
 namespace {
 
 using Eigen::Vector3d;
-using laplacian_lines::SightLine;
-using laplacian_lines::SightPoint;
+using laplacian_lines::ViewLine;
+using laplacian_lines::ViewLinePoint;
 
 // Progress at which lines are found, and visibility is prepared.
 constexpr double kLinesShare = 0.5, kSightShare = 0.7;
@@ -35,7 +35,7 @@ public:
           least_jump_(kLeastJump * diagonal * placement.scale),
           shortest_remains_(kShortestRemains * pen) {}
 
-    void append(const DrawnLine& stroke, std::vector<SightLine>& lines) const {
+    void append(const DrawnLine& stroke, std::vector<ViewLine>& lines) const {
         std::vector<Vector3d> places;  // x and y on paper, and depth
         for (const DrawnPoint& point : stroke.points)
             places.emplace_back(point.position.x(), point.position.y(),
@@ -65,14 +65,14 @@ private:
     }
 
     void append_part(const DrawnLine& stroke, const std::vector<Vector3d>& places,
-                     std::size_t first, std::size_t last, std::vector<SightLine>& lines) const {
+                     std::size_t first, std::size_t last, std::vector<ViewLine>& lines) const {
         if (last <= first) return;
         const bool is_whole = first == 0 && last + 1 == places.size();
         double length = 0;
         for (std::size_t i = first; i < last && !is_whole; ++i)
             length += (places[i + 1] - places[i]).head<2>().norm();
         if (!is_whole && length < shortest_remains_) return;
-        SightLine line;
+        ViewLine line;
         const LineOrigin& most = most_of(stroke, first, last);
         line.kind = most.kind;
         line.strength = most.strength;
@@ -89,11 +89,11 @@ private:
         lines.push_back(std::move(line));
     }
 
-    SightPoint point_of(const DrawnPoint& point) const {
+    ViewLinePoint point_of(const DrawnPoint& point) const {
         const Eigen::Vector2d shift = (point.position - placement_.middle) / placement_.scale;
-        const Vector3d place = projection_.place({shift.x(), -shift.y()}, point.origin.depth);
-        return {place, float(point.weight),           point.origin.gradient,
-                1,     laplacian_lines::kNoSightNode, point.is_exact};
+        const Vector3d place = projection_.unproject({shift.x(), -shift.y()}, point.origin.depth);
+        return {place, float(point.weight),      point.origin.gradient,
+                1,     laplacian_lines::kNoNode, point.is_exact};
     }
 
     /// The origin of a point of the most frequent kind.
@@ -115,26 +115,26 @@ private:
 
 }  // namespace
 
-std::vector<SightLine> strokes_of(const Objects& objects, const ViewFrame& frame,
-                                  SheetOptions options, const laplacian_lines::Progress& progress,
-                                  double size) {
+std::vector<ViewLine> strokes_of(const Objects& objects, const ViewFrame& frame,
+                                 SheetOptions options, const laplacian_lines::Progress& progress,
+                                 double size) {
     options.mm_per_unit = 1;
-    Observer observer(objects);
-    DrawnView drawn = observer.stand(frame, options);
+    ViewBuilder builder(objects);
+    DrawnView drawn = builder.empty_view(frame, options);
     const Placement placement{size / drawn.bounds.sizes().maxCoeff(), {0, 0}};
     options.pens = pens_for(size, options.pens);
     {
         ObjectLines lines(objects);
-        lines.make_ready(options, placement.scale, Kernel::Exact, part(progress, 0, kLinesShare));
+        lines.prepare(options, placement.scale, Kernel::Exact, part(progress, 0, kLinesShare));
         options.kernel = {lines.kernel_size() * placement.scale, false};
-        const auto found = lines.extract(observer.view_of(drawn, options), options.style);
-        observer.prepare({options}, part(progress, kLinesShare, kSightShare));
-        observer.look(drawn, found, options, part(progress, kSightShare, 1));
+        const auto found = lines.extract(builder.view_of(drawn, options), options.style);
+        builder.prepare({options}, part(progress, kLinesShare, kSightShare));
+        builder.add_lines(drawn, found, options, part(progress, kSightShare, 1));
     }
-    const Projection projection(drawn.frame, observer.middle());
-    const InSpace in_space(projection, placement, observer.object_size().norm(),
+    const Projection projection(drawn.frame, builder.middle());
+    const InSpace in_space(projection, placement, builder.object_size().norm(),
                            options.pens[std::size_t(LineClass::Inner)]);
-    std::vector<SightLine> lines;
+    std::vector<ViewLine> lines;
     for (const DrawnLine& stroke : draw_lines(drawn, placement, options))
         if (draw_stroke(stroke, options)) in_space.append(stroke, lines);
     return lines;

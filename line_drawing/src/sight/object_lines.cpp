@@ -62,7 +62,7 @@ Field compute_field(const Object& object, PrecomputeOptions wanted, const SheetO
 
 }  // namespace
 
-ObjectLines::Extractor ObjectLines::at_hand(const Object& object) {
+ObjectLines::Extractor ObjectLines::given_extractor(const Object& object) {
     const std::shared_ptr<void> nobodys;
     return {{nobodys, object.extractor}, object.extractor_kernel, object.field != nullptr};
 }
@@ -97,13 +97,13 @@ ObjectLines::ObjectLines(const Objects& objects, std::size_t most_bytes)
     ready.made.curvature_derivatives = true;
     for (const Object& object : objects) {
         if (!object.extractor) return;
-        ready.extractors.push_back(at_hand(object));
+        ready.extractors.push_back(given_extractor(object));
     }
     kept_.push_back(std::move(ready));
 }
 
-bool ObjectLines::make_ready(const SheetOptions& options, double scale, Kernel kernel,
-                             const Progress& progress) {
+bool ObjectLines::prepare(const SheetOptions& options, double scale, Kernel kernel,
+                          const Progress& progress) {
     validate(options.style);
     const double mm = scale * options.mm_per_unit;
     const PrecomputeOptions wanted = field_options(options, mm);
@@ -112,7 +112,7 @@ bool ObjectLines::make_ready(const SheetOptions& options, double scale, Kernel k
             return distance(a, wanted) < distance(b, wanted);
         });
     const double least = nearest == kept_.end() ? INFINITY : distance(*nearest, wanted);
-    if (least == 0 || (kernel == Kernel::AtHand && std::isfinite(least))) {
+    if (least == 0 || (kernel == Kernel::Nearest && std::isfinite(least))) {
         kept_.splice(kept_.begin(), kept_, nearest);
         return least == 0;
     }
@@ -134,7 +134,7 @@ ObjectLines::Extractors ObjectLines::compute(const SheetOptions& options, double
     const auto count = double(objects_.size());
     for (const Object& object : objects_) {
         if (object.field && object.extractor) {
-            result.extractors.push_back(at_hand(object));
+            result.extractors.push_back(given_extractor(object));
             continue;
         }
         const auto done = double(result.extractors.size());

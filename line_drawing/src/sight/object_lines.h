@@ -15,7 +15,7 @@
 namespace line_drawing {
 
 /// Whether the nearest cached kernel will do.
-enum class Kernel { Exact, AtHand };
+enum class Kernel { Exact, Nearest };
 
 /// The lines within objects' faces, from fields whose kernel suits the scale. Objects outlive this.
 class ObjectLines {
@@ -26,8 +26,8 @@ public:
     /// Computes the fields for `scale`, mm on paper per mm of the object, unless given or cached.
     /// Returns whether the kernel is that of this scale.
     /// @throws laplacian_lines::Error, naming the object
-    bool make_ready(const SheetOptions& options, double scale, Kernel kernel,
-                    const laplacian_lines::Progress& progress);
+    bool prepare(const SheetOptions& options, double scale, Kernel kernel,
+                 const laplacian_lines::Progress& progress);
 
     /// One set per object, for LineVisibility.
     std::vector<laplacian_lines::LineSet> extract(const laplacian_lines::View& view,
@@ -52,7 +52,7 @@ private:
         std::vector<std::string> remarks;
     };
 
-    static Extractor at_hand(const Object& object);
+    static Extractor given_extractor(const Object& object);
     static std::size_t bytes_of(const Extractors& kept);
     /// 0 if `kept` has the kernels of `wanted`, else the largest factor between kernels, or
     /// infinite if these cannot be used instead.

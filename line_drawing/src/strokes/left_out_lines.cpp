@@ -179,7 +179,7 @@ std::vector<DrawnLine> without_equal(const std::vector<DrawnLine>& lines, double
 // mm; the second one of contours of curved surfaces, which the roughness of a scan makes
 constexpr double kShortestLine = 0.8, kShortestContourEnd = 3 * kShortestLine;
 
-bool is_slight(const DrawnLine& line, const SheetOptions& options) {
+bool is_speck(const DrawnLine& line, const SheetOptions& options) {
     return is_curved_contour(line) && line.jump < options.pens[std::size_t(LineClass::Inner)];
 }
 
@@ -188,8 +188,7 @@ public:
     explicit Nodes(const std::vector<DrawnLine>& lines) {
         for (const DrawnLine& line : lines)
             for (std::size_t i = line.closed ? 1 : 0; i < line.points.size(); ++i)
-                if (line.points[i].node != laplacian_lines::kNoSightNode)
-                    ++lines_[line.points[i].node];
+                if (line.points[i].node != laplacian_lines::kNoNode) ++lines_[line.points[i].node];
     }
 
     bool is_junction(const DrawnPoint& point) const {
@@ -274,10 +273,9 @@ std::vector<DrawnLine> without_doubles(std::vector<DrawnLine> lines, double reac
     return without_equal(rest, reach);
 }
 
-std::vector<DrawnLine> without_slight_lines(std::vector<DrawnLine> lines,
-                                            const SheetOptions& options) {
+std::vector<DrawnLine> without_specks(std::vector<DrawnLine> lines, const SheetOptions& options) {
     lines.erase(std::remove_if(lines.begin(), lines.end(),
-                               [&](const DrawnLine& line) { return is_slight(line, options); }),
+                               [&](const DrawnLine& line) { return is_speck(line, options); }),
                 lines.end());
     const Nodes nodes(lines);
     for (DrawnLine& line : lines)

@@ -83,7 +83,7 @@ public:
     bool is_long() const { return steps_ >= 2; }
 
     /// Exact points and ends stay.
-    void ease(double reach, bool closed) {
+    void smooth(double reach, bool closed) {
         const std::size_t count = closed ? steps_ : steps_ + 1;
         EvenPoints places(Eigen::Index(count), 2);
         std::vector<double> reaches(count, reach);
@@ -134,11 +134,11 @@ public:
     explicit Easing(double reach) : reach_(reach) {}
 
     /// Those of a class.
-    void ease(LineClass line_class, std::vector<DrawnLine>& lines) {
+    void smooth(LineClass line_class, std::vector<DrawnLine>& lines) {
         std::vector<Moved> moved(lines.size());
         laplacian_lines::in_parallel(lines.size(), [&](std::size_t i) {
             if (lines[i].line_class == line_class && lines[i].points.size() > 2)
-                ease(lines[i], moved[i]);
+                smooth(lines[i], moved[i]);
         });
         for (const Moved& of_line : moved)
             for (const auto& [node, place] : of_line)
@@ -157,22 +157,22 @@ public:
 private:
     using Moved = std::vector<std::pair<std::uint32_t, Vector2d>>;  // nodes, and where they are
 
-    void ease(DrawnLine& line, Moved& moved) const {
+    void smooth(DrawnLine& line, Moved& moved) const {
         const std::vector<DrawnPoint>& points = line.points;
         if (line.closed && !begin_at_exact(line)) {
             line.points = eased_stretch(points, true, moved);
             return;
         }
-        std::vector<DrawnPoint> eased;
+        std::vector<DrawnPoint> smoothed;
         for (std::size_t begin = 0, end; begin + 1 < points.size(); begin = end) {
             for (end = begin + 1; end + 1 < points.size() && !points[end].is_exact; ++end) {
             }
             const std::vector<DrawnPoint> stretch(points.begin() + std::ptrdiff_t(begin),
                                                   points.begin() + std::ptrdiff_t(end) + 1);
             const auto part = eased_stretch(stretch, false, moved);
-            eased.insert(eased.end(), part.begin() + (eased.empty() ? 0 : 1), part.end());
+            smoothed.insert(smoothed.end(), part.begin() + (smoothed.empty() ? 0 : 1), part.end());
         }
-        line.points = std::move(eased);
+        line.points = std::move(smoothed);
     }
 
     /// Rotates a closed line so; false if none of its points is exact.
@@ -191,9 +191,9 @@ private:
         if (points.size() < 3) return points;
         EvenLine even(points, kStepShare * reach_);
         if (!even.is_long()) return points;
-        even.ease(reach_, closed);
+        even.smooth(reach_, closed);
         for (std::size_t i = closed ? 0 : 1; i + 1 < points.size(); ++i)
-            if (points[i].node != laplacian_lines::kNoSightNode)
+            if (points[i].node != laplacian_lines::kNoNode)
                 moved.emplace_back(points[i].node, even.place_of(i));
         return even.result();
     }
@@ -208,26 +208,26 @@ bool is_contour(const DrawnLine& line) {
 
 }  // namespace
 
-void ease_lines(std::vector<DrawnLine>& lines, double reach) {
+void smooth_contours(std::vector<DrawnLine>& lines, double reach) {
     Easing easing(reach);
     for (const LineClass c : {LineClass::Outline, LineClass::Contour}) {
-        easing.ease(c, lines);
+        easing.smooth(c, lines);
         for (DrawnLine& line : lines)
             easing.follow(line);
     }
     for (DrawnLine& line : lines)
         if (is_contour(line))
             for (DrawnPoint& point : line.points)
-                point.is_eased = true;
+                point.is_smoothed = true;
 }
 
-void ease_inner_lines(std::vector<DrawnLine>& lines, double reach) {
+void smooth_inner_lines(std::vector<DrawnLine>& lines, double reach) {
     laplacian_lines::in_parallel(lines.size(), [&](std::size_t i) {
         DrawnLine& line = lines[i];
         if (is_fixed(line) || line.points.size() < 3) return;
         EvenLine even(line.points, kStepShare * reach);
         if (!even.is_long()) return;
-        even.ease(reach, line.closed);
+        even.smooth(reach, line.closed);
         line.points = even.result();
     });
 }

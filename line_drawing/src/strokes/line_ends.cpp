@@ -111,7 +111,7 @@ private:
         std::vector<DrawnPoint>& points = lines_[i].points;
         const bool is_first = points.front().position == end;
         DrawnPoint point = is_first ? points.front() : points.back();
-        point = {to, point.weight, laplacian_lines::kNoSightNode, true, false, point.origin};
+        point = {to, point.weight, laplacian_lines::kNoNode, true, false, point.origin};
         points.insert(is_first ? points.begin() : points.end(), point);
         all_.add({end, to}, i);
     }

@@ -22,8 +22,8 @@ inline DrawnPoint between(const DrawnPoint& a, const DrawnPoint& b, double t) {
     LineOrigin origin = t < 0.5 ? a.origin : b.origin;
     origin.depth = a.origin.depth + t * (b.origin.depth - a.origin.depth);
     return {between(a.position, b.position, t), a.weight + t * (b.weight - a.weight),
-            laplacian_lines::kNoSightNode,      a.is_exact && b.is_exact,
-            a.is_eased && b.is_eased,           origin};
+            laplacian_lines::kNoNode,           a.is_exact && b.is_exact,
+            a.is_smoothed && b.is_smoothed,     origin};
 }
 
 /// With points at most `step` apart and no repeated ones, which have no direction.

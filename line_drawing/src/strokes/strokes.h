@@ -11,8 +11,7 @@ namespace line_drawing {
 
 /// Removes specks, on the sheet: contours of curved surfaces before a jump in depth of less than a
 /// pen, lines and ends of lines shorter than the shortest one that end in nothing. Outlines stay.
-std::vector<DrawnLine> without_slight_lines(std::vector<DrawnLine> lines,
-                                            const SheetOptions& options);
+std::vector<DrawnLine> without_specks(std::vector<DrawnLine> lines, const SheetOptions& options);
 
 /// Joins ends that have lost the line they met: by `left_out` short lines that lead on to another,
 /// else by a straight piece; an edge that has passed another ends there. Other ends stay, since
@@ -74,10 +73,10 @@ void follow_met(const std::vector<MetEnd>& ends, double pen, std::vector<DrawnLi
 /// Smooths the triangles' edges out of contours of curved surfaces: between exact points lines bend
 /// as little as they can within `reach`, on the sheet, and lines that end at them follow.
 /// Afterwards all points of contours are eased.
-void ease_lines(std::vector<DrawnLine>& lines, double reach);
+void smooth_contours(std::vector<DrawnLine>& lines, double reach);
 
 /// The same for inner lines as drawn; what continues them stays.
-void ease_inner_lines(std::vector<DrawnLine>& lines, double reach);
+void smooth_inner_lines(std::vector<DrawnLine>& lines, double reach);
 
 /// Appends cubic Bézier curves to `path`, after a move_to(), that pass within `tolerance` of all
 /// points, with corners where the points turn sharply. A closed line repeats its first point. P. J.

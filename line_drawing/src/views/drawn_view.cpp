@@ -9,26 +9,26 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using laplacian_lines::LineKind;
-using laplacian_lines::SightLine;
-using laplacian_lines::SightPoint;
 using laplacian_lines::TriangleMesh;
+using laplacian_lines::ViewLine;
+using laplacian_lines::ViewLinePoint;
 
 /// Of half the field of view in perspective, 60 degrees.
-constexpr double kTangentOfSight = 1.7320508075688772;
+constexpr double kTangentOfHalfView = 1.7320508075688772;
 constexpr double kFaintestInnerLine = 0.5;  // mean share of the full width
 
-double width_of(const SightPoint& point) {
+double width_of(const ViewLinePoint& point) {
     return double(point.weight) * double(point.opacity);
 }
 
-double mean_width(const SightLine& line) {
+double mean_width(const ViewLine& line) {
     double sum = 0;
-    for (const SightPoint& point : line.points)
+    for (const ViewLinePoint& point : line.points)
         sum += width_of(point);
     return sum / double(line.points.size());
 }
 
-LineClass class_of(const SightLine& line) {
+LineClass class_of(const ViewLine& line) {
     if (line.is_hidden) return LineClass::Hidden;
     if (line.is_outline) return LineClass::Outline;
     if (laplacian_lines::describe(line.kind).is_outline) return LineClass::Contour;
@@ -56,13 +56,13 @@ Vector2d Projection::operator()(const Vector3d& p) const {
     return frame_.eye ? Vector2d(distance_ / depth(p) * flat - middle_) : flat;
 }
 
-Vector3d Projection::place(const Vector2d& picture, double depth) const {
+Vector3d Projection::unproject(const Vector2d& picture, double depth) const {
     const Vector2d flat = frame_.eye ? depth / distance_ * (picture + middle_) : picture;
     return origin_ + flat.x() * frame_.right + flat.y() * frame_.up - depth * frame_.towards_viewer;
 }
 
 Eigen::AlignedBox2d Projection::bounds_of(const TriangleMesh& mesh) const {
-    const Vector2d reach = Vector2d::Constant(kTangentOfSight * distance_);
+    const Vector2d reach = Vector2d::Constant(kTangentOfHalfView * distance_);
     Eigen::AlignedBox2d box;
     bool is_ahead = false;
     const auto extend = [&](const Vector3d& p) {
@@ -86,11 +86,11 @@ Eigen::AlignedBox2d Projection::bounds_of(const TriangleMesh& mesh) const {
     return is_ahead ? box : Eigen::AlignedBox2d();
 }
 
-std::vector<SightLine> Projection::in_sight(std::vector<SightLine> lines) const {
+std::vector<ViewLine> Projection::clip_to_view(std::vector<ViewLine> lines) const {
     if (!frame_.eye) return lines;
     for (const Vector3d& aside :
          {frame_.right, frame_.up, Vector3d(-frame_.right), Vector3d(-frame_.up)}) {
-        const Vector3d normal = -kTangentOfSight * frame_.towards_viewer - aside;
+        const Vector3d normal = -kTangentOfHalfView * frame_.towards_viewer - aside;
         lines = clip(lines, {normal, normal.dot(origin_)});
     }
     return lines;
@@ -168,13 +168,13 @@ DrawnLine project(const std::vector<Vector3d>& section, const Projection& projec
     return drawn;
 }
 
-std::vector<DrawnLine> project(const std::vector<SightLine>& lines, const Projection& projection,
+std::vector<DrawnLine> project(const std::vector<ViewLine>& lines, const Projection& projection,
                                double unit) {
     std::vector<DrawnLine> drawn;
-    for (const SightLine& line : lines) {
+    for (const ViewLine& line : lines) {
         drawn.push_back({class_of(line), line.closed, {}, unit * double(line.jump), line.kind});
         drawn.back().points.reserve(line.points.size());
-        for (const SightPoint& point : line.points)
+        for (const ViewLinePoint& point : line.points)
             drawn.back().points.push_back({unit * projection(point.position),
                                            width_of(point),
                                            point.node,

@@ -24,15 +24,15 @@ public:
     /// Distance along the viewing direction from the eye, or from `middle` if orthographic.
     double depth(const Eigen::Vector3d& p) const;
     /// The point of space at a depth.
-    Eigen::Vector3d place(const Eigen::Vector2d& picture, double depth) const;
+    Eigen::Vector3d unproject(const Eigen::Vector2d& picture, double depth) const;
 
     /// Bounds of the triangles in the picture; in perspective at least of the field of view, empty
     /// if all is behind the eye.
     Eigen::AlignedBox2d bounds_of(const laplacian_lines::TriangleMesh& mesh) const;
 
     /// Clips lines to the field of view in perspective.
-    std::vector<laplacian_lines::SightLine> in_sight(
-        std::vector<laplacian_lines::SightLine> lines) const;
+    std::vector<laplacian_lines::ViewLine> clip_to_view(
+        std::vector<laplacian_lines::ViewLine> lines) const;
 
     laplacian_lines::View view() const;
 
@@ -54,13 +54,13 @@ struct DrawnPoint {
     Eigen::Vector2d position;
     double weight = 1;  ///< 0..1, share of the full width
     /// Equal where lines meet.
-    std::uint32_t node = laplacian_lines::kNoSightNode;
-    bool is_exact = true;   ///< on an edge of the form or where lines meet; others may be smoothed
-    bool is_eased = false;  ///< has been smoothed
+    std::uint32_t node = laplacian_lines::kNoNode;
+    bool is_exact = true;  ///< on an edge of the form or where lines meet; others may be smoothed
+    bool is_smoothed = false;  ///< has been smoothed
     LineOrigin origin = {};
 
     /// Whether smoothing leaves it where it is.
-    bool stays() const { return is_exact || is_eased; }
+    bool stays() const { return is_exact || is_smoothed; }
 };
 
 struct DrawnLine {
@@ -131,7 +131,7 @@ struct Placement {
 /// Projects lines to a view, times `unit`.
 DrawnLine project(const std::vector<Eigen::Vector3d>& section, const Projection& projection,
                   double unit);
-std::vector<DrawnLine> project(const std::vector<laplacian_lines::SightLine>& lines,
+std::vector<DrawnLine> project(const std::vector<laplacian_lines::ViewLine>& lines,
                                const Projection& projection, double unit);
 
 }  // namespace line_drawing

@@ -21,7 +21,7 @@ struct LinePlacement {
     Eigen::Matrix4d to_eye;      ///< mesh coordinates to eye coordinates
     Eigen::Matrix4d projection;  ///< eye coordinates to clip coordinates
     double diagonal = 1;         ///< of the mesh, mesh units
-    double sight_edge = 0;       ///< as laplacian_lines::sight_edge() has it, mesh units
+    double depth_bias_edge = 0;  ///< as laplacian_lines::depth_bias_edge() has it, mesh units
     double pixel_scale = 1;      ///< pixels of the viewport per pixel of the appearance
     double mark_pixels = 0;      ///< diameter of points or wires drawn on the surface
     DepthTexture depths{};       ///< of the surfaces that hide lines

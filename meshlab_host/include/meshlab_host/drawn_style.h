@@ -29,6 +29,6 @@ void note_drawn_style(const DrawnStyle& drawn);
 
 /// @throws laplacian_lines::Error(InvalidOption) if nothing was noted, as without a window. GUI
 /// thread only.
-DrawnStyle demand_drawn_style();
+DrawnStyle require_drawn_style();
 
 }  // namespace meshlab_host

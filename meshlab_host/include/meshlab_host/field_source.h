@@ -33,14 +33,14 @@ FieldSource with_derivatives(FieldSource source);
 /// Reads the field or computes it, which takes seconds for a million triangles and is logged by
 /// `say`. By live index. Does not change the mesh; `triangles` is its to_triangle_mesh().
 /// @throws laplacian_lines::Error, std::bad_alloc
-laplacian_lines::Field demand_field(const CMeshO& mesh,
-                                    const laplacian_lines::TriangleMesh& triangles,
-                                    const QString& mesh_name, const FieldSource& source,
-                                    const std::function<void(const QString&)>& say,
-                                    const laplacian_lines::Progress& progress = {});
+laplacian_lines::Field find_or_compute_field(const CMeshO& mesh,
+                                             const laplacian_lines::TriangleMesh& triangles,
+                                             const QString& mesh_name, const FieldSource& source,
+                                             const std::function<void(const QString&)>& say,
+                                             const laplacian_lines::Progress& progress = {});
 
 /// Computes a field's derivatives if it has none. @throws laplacian_lines::Error, std::bad_alloc
-void demand_derivatives(const laplacian_lines::TriangleMesh& triangles,
+void ensure_derivatives(const laplacian_lines::TriangleMesh& triangles,
                         laplacian_lines::Field& field,
                         const laplacian_lines::Progress& progress = {});
 

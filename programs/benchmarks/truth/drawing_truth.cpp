@@ -51,7 +51,7 @@ std::string svg_path(const PlaneLines& lines, const char* stroke, double width) 
 /// loose ends and places without a line orange.
 void write_picture(const std::string& folder, const Drawing& drawing, const ExactView& view) {
     Eigen::AlignedBox2d box;
-    for (const PlaneLines& lines : {drawing.lines, view.demanded, view.allowed})
+    for (const PlaneLines& lines : {drawing.lines, view.required, view.allowed})
         for (const PlaneLine& line : lines)
             for (const PlanePoint& p : line)
                 box.extend(p);
@@ -67,7 +67,7 @@ void write_picture(const std::string& folder, const Drawing& drawing, const Exac
     out << "<svg xmlns='http://www.w3.org/2000/svg' width='" << size.x() << "mm' height='"
         << size.y() << "mm' viewBox='" << box.min().x() - 3 << " " << -box.max().y() - 3 << " "
         << size.x() << " " << size.y() << "'>\n"
-        << svg_path(view.allowed, "#e1e1f5", 0.5) << svg_path(view.demanded, "#cdcdcd", 0.5)
+        << svg_path(view.allowed, "#e1e1f5", 0.5) << svg_path(view.required, "#cdcdcd", 0.5)
         << svg_path(drawing.lines, "black", 0.1) << svg_path(drawing.scores.missed, "red", 0.3)
         << svg_path(drawing.scores.wrong, "blue", 0.3) << svg_path(spots, "orange", 0.4)
         << "</svg>\n";
@@ -87,7 +87,7 @@ Drawing drawing_of(const CadPart& part, const PartMesh& mesh, const ExactView& v
     drawing.deflection = text_of("%g / %g", mesh.linear, mesh.angular);
     drawing.lines = lines;
     const double slack = mesh.linear > kFineDeflection ? mesh.linear : 0;
-    drawing.scores = score(lines, view.demanded, view.allowed, kTolerance + slack, slack);
+    drawing.scores = score(lines, view.required, view.allowed, kTolerance + slack, slack);
     const ItemBuffer items(mesh.mesh, view.frame);
     drawing.border = items.border();
     drawing.jumps = items.jumps(kLeastJump);

@@ -22,7 +22,7 @@ line_drawing::SheetOptions options_of(const ViewFrame& frame) {
     options.scale = 1;
     options.paper = "fit";
     options.strokes = line_drawing::StrokeStyle::Plain;
-    options.has_furniture = false;
+    options.has_annotations = false;
     options.style.shows = {};
     for (const LineKind kind : {LineKind::Contour, LineKind::Border, LineKind::Crease})
         options.style.shows[kind] = true;

@@ -77,7 +77,7 @@ private:
         for (auto* axis : {&view.frame.right, &view.frame.up, &view.frame.towards_viewer})
             for (double& x : *axis)
                 x = number<double>();
-        read(view.demanded);
+        read(view.required);
         read(view.allowed);
     }
     void read(PlaneLines& lines) {

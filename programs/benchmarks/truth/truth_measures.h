@@ -24,10 +24,11 @@ double length_of(const PlaneLine& line);
 template <class Use>
 void for_each_piece(const PlaneLine& line, double step, Use use) {
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        const PlanePoint way = line[i + 1] - line[i];
-        const int count = int(std::ceil(way.norm() / step));
+        const PlanePoint span = line[i + 1] - line[i];
+        const int count = int(std::ceil(span.norm() / step));
         for (int k = 0; k < count; ++k)
-            use(PlanePoint(line[i] + way * k / count), PlanePoint(line[i] + way * (k + 1) / count));
+            use(PlanePoint(line[i] + span * k / count),
+                PlanePoint(line[i] + span * (k + 1) / count));
     }
 }
 
@@ -53,7 +54,7 @@ public:
                     const Segment& segment = segments_[number];
                     const double t = nearest_on(segment, p);
                     if ((p - segment.at(t)).norm() <= reach_ &&
-                        use(NearPlace{segment.line, segment.along + t * segment.way.norm()}))
+                        use(NearPlace{segment.line, segment.along + t * segment.span.norm()}))
                         return true;
                 }
             }
@@ -66,10 +67,10 @@ public:
 private:
     using Cell = Eigen::Vector2i;
     struct Segment {
-        PlanePoint begin, way;
+        PlanePoint begin, span;
         double along;
         std::size_t line;
-        PlanePoint at(double t) const { return begin + t * way; }
+        PlanePoint at(double t) const { return begin + t * span; }
     };
 
     void add(const Segment& segment);
@@ -92,14 +93,14 @@ struct PartMesh {
 /// Exact visible lines of a part from one direction, by OpenCASCADE.
 struct ExactView {
     line_drawing::ViewFrame frame;
-    PlaneLines demanded;  ///< have to be drawn
+    PlaneLines required;  ///< have to be drawn
     PlaneLines allowed;   ///< tangent edges, which may be drawn
 };
 
 /// A CAD part. Its file is packed by zlib, behind the length of what is packed; numbers have the
 /// lowest byte first, lists their length before them: "LLTRUTH1"; meshes: deflections, vertices as
 /// three floats, triangles; views: name, a number to ignore, right, up and towards the viewer as
-/// doubles, demanded and allowed lines, whose points are integers, steps from the last point in
+/// doubles, required and allowed lines, whose points are integers, steps from the last point in
 /// 1/1000 mm.
 struct CadPart {
     std::string name;
@@ -168,7 +169,7 @@ struct TruthScores {
 
 /// Lines may be `tolerance` mm off, and `slack` mm more at true ends, for coarse meshes. Those that
 /// are `allowed` need not be drawn.
-TruthScores score(const PlaneLines& drawing, const PlaneLines& demanded, const PlaneLines& allowed,
+TruthScores score(const PlaneLines& drawing, const PlaneLines& required, const PlaneLines& allowed,
                   double tolerance, double slack = 0);
 
 }  // namespace benchmarks

@@ -16,9 +16,9 @@ NearSegments::NearSegments(const PlaneLines& lines, double reach) : reach_(reach
     for (std::size_t l = 0; l < lines.size(); ++l) {
         double along = 0;
         for (std::size_t i = 0; i + 1 < lines[l].size(); ++i) {
-            const PlanePoint way = lines[l][i + 1] - lines[l][i];
-            add({lines[l][i], way, along, l});
-            along += way.norm();
+            const PlanePoint span = lines[l][i + 1] - lines[l][i];
+            add({lines[l][i], span, along, l});
+            along += span.norm();
         }
     }
 }
@@ -28,7 +28,7 @@ NearSegments::NearSegments(const PlaneLines& lines, double reach) : reach_(reach
 void NearSegments::add(const Segment& segment) {
     const auto number = std::uint32_t(segments_.size());
     segments_.push_back(segment);
-    const int pieces = 1 + int(segment.way.norm() / (0.5 * reach_));
+    const int pieces = 1 + int(segment.span.norm() / (0.5 * reach_));
     for (int k = 0; k <= pieces; ++k) {
         auto& cell = cells_[key(cell_of(segment.at(double(k) / pieces)))];
         if (cell.empty() || cell.back() != number) cell.push_back(number);
@@ -36,8 +36,8 @@ void NearSegments::add(const Segment& segment) {
 }
 
 double NearSegments::nearest_on(const Segment& segment, const PlanePoint& p) {
-    const double square = segment.way.squaredNorm();
-    return square > 0 ? std::clamp((p - segment.begin).dot(segment.way) / square, 0., 1.) : 0;
+    const double square = segment.span.squaredNorm();
+    return square > 0 ? std::clamp((p - segment.begin).dot(segment.span) / square, 0., 1.) : 0;
 }
 
 namespace {
@@ -67,7 +67,7 @@ double share_near(const PlaneLines& lines, const PlaneLines& others, double tole
 }
 
 /// Unit vector from the end into the line, over the end's neighbourhood.
-PlanePoint way_back(const PlaneLine& line, bool from_last) {
+PlanePoint direction_from_end(const PlaneLine& line, bool from_last) {
     const auto at = [&](std::size_t i) { return line[from_last ? line.size() - 1 - i : i]; };
     double left = kOwnNeighbourhood;
     std::size_t i = 1;
@@ -77,11 +77,11 @@ PlanePoint way_back(const PlaneLine& line, bool from_last) {
 }
 
 /// Whether the place is near an end of a line that goes back the same way.
-bool ends_alike(const PlaneLine& line, double along, const PlanePoint& way) {
+bool ends_in_direction(const PlaneLine& line, double along, const PlanePoint& direction) {
     const bool is_first = along <= kOwnNeighbourhood,
                is_last = along >= length_of(line) - kOwnNeighbourhood;
-    return (is_first && way_back(line, false).dot(way) >= kLeastCosine) ||
-           (is_last && way_back(line, true).dot(way) >= kLeastCosine);
+    return (is_first && direction_from_end(line, false).dot(direction) >= kLeastCosine) ||
+           (is_last && direction_from_end(line, true).dot(direction) >= kLeastCosine);
 }
 
 /// Ends of exact lines that no other line continues: lines that end there run back beside them, as
@@ -93,9 +93,9 @@ PlaneLine true_ends(const PlaneLines& exact) {
         if (line.size() < 2) continue;
         for (const bool is_last : {false, true}) {
             const PlanePoint& end = is_last ? line.back() : line.front();
-            const PlanePoint way = way_back(line, is_last);
+            const PlanePoint direction = direction_from_end(line, is_last);
             const bool leads_on = near.any_near(end, [&](const NearPlace& place) {
-                return !ends_alike(exact[place.line], place.along, way);
+                return !ends_in_direction(exact[place.line], place.along, direction);
             });
             if (!leads_on) ends.push_back(end);
         }
@@ -128,14 +128,14 @@ void score_ends(const PlaneLines& drawing, const PlaneLines& exact, double slack
 
 }  // namespace
 
-TruthScores score(const PlaneLines& drawing, const PlaneLines& demanded, const PlaneLines& allowed,
+TruthScores score(const PlaneLines& drawing, const PlaneLines& required, const PlaneLines& allowed,
                   double tolerance, double slack) {
     TruthScores scores;
-    PlaneLines exact = demanded;
+    PlaneLines exact = required;
     exact.insert(exact.end(), allowed.begin(), allowed.end());
-    scores.recall = share_near(demanded, drawing, tolerance, scores.missed);
+    scores.recall = share_near(required, drawing, tolerance, scores.missed);
     scores.precision = share_near(drawing, exact, tolerance, scores.wrong);
-    score_ends(drawing, demanded, slack, scores);
+    score_ends(drawing, required, slack, scores);
     return scores;
 }
 

@@ -19,10 +19,10 @@ SHEET = {row["key"]: row for row in _core.sheet_options}
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 
 
-def takes(*tables: dict[str, dict[str, Any]], told: str = "") -> Callable[[_Function], _Function]:
+def takes(*tables: dict[str, dict[str, Any]], documented_in: str = "") -> Callable[[_Function], _Function]:
     """Shows the options of these tables in the signature and the docstring of a function that takes them as **options.
 
-    With `told`, the docstring refers to that function instead of describing them.
+    With `documented_in`, the docstring refers to that function instead of describing them.
     """
     rows = [row for table in tables for row in table.values()]
 
@@ -32,7 +32,7 @@ def takes(*tables: dict[str, dict[str, Any]], told: str = "") -> Callable[[_Func
         shown = [inspect.Parameter(row["key"], inspect.Parameter.KEYWORD_ONLY, default=_default(row),
                                    annotation=_TYPES[row["kind"]]) for row in rows]
         function.__signature__ = signature.replace(parameters=own + shown)  # type: ignore[attr-defined]
-        text = f"Those of {told}." if told else "\n".join(map(_described, rows))
+        text = f"Those of {documented_in}." if documented_in else "\n".join(map(_described, rows))
         function.__doc__ = (f"{inspect.cleandoc(function.__doc__ or '')}\n\nOptions\n-------\n"
                             f"{textwrap.indent(text, '    ')}\n")
         return function

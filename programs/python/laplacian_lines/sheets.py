@@ -45,7 +45,7 @@ def make_drawing(*meshes: Any, format: str = "svg", **sheet_options: Unpack[Shee
     return Drawing(format=format, **_core.draw([_named(mesh) for mesh in meshes], words, format))
 
 
-@options.takes(options.SHEET, told="make_drawing()")
+@options.takes(options.SHEET, documented_in="make_drawing()")
 def write_drawing(file: str | os.PathLike[str], *meshes: Any, **sheet_options: Unpack[SheetOptions]) -> Drawing:
     """Writes a measured drawing of meshes, see make_drawing(), in the format that the ending of the file's name says.
 
@@ -53,7 +53,7 @@ def write_drawing(file: str | os.PathLike[str], *meshes: Any, **sheet_options: U
     """
     drawing = make_drawing(*meshes, format=pathlib.Path(file).suffix[1:].lower(), **sheet_options)
     try:
-        _core.write_whole(os.fsencode(file), drawing.content)
+        _core.write_atomically(os.fsencode(file), drawing.content)
     except _core.Error as error:
         raise OSError(str(error)) from None
     return drawing

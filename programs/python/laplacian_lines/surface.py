@@ -58,7 +58,7 @@ class Surface:
 
         In its unit: diagonal (of the bounding box), mean_edge, kernel_size √h and normal_sigma (of smoothing), as they were
         used. Without unit: roughness (of clean meshes 0). Counts of what was dropped: non_finite_vertices,
-        unreferenced_vertices, degenerate_triangles. Counts of repairs: welded_vertices; turned_triangles, whose orientation
+        unreferenced_vertices, degenerate_triangles. Counts of repairs: welded_vertices; flipped_triangles, whose orientation
         was reversed because they faced inwards or unlike their neighbours; undone_subdivisions, midpoint subdivisions (all
         triangles cut in four at the middles of their sides). Fields and lines are those of the repaired mesh.
         """
@@ -71,7 +71,7 @@ class Surface:
         plane, view = self._view(direction, eye, up, light)
         return Polylines.of_core(self._core.lines(*view, _style(kinds, line_options)), plane)
 
-    @options.takes(options.LINES, told="lines()")
+    @options.takes(options.LINES, documented_in="lines()")
     def visible_lines(self, *, direction: Point | None = None, eye: Point | None = None, up: Point = (0, 1, 0),
                       light: Point | None = None, kinds: Kinds = None, hidden: bool = False,
                       joined_in_picture: bool = False, **line_options: Unpack[LineOptions]) -> Polylines:
@@ -80,7 +80,7 @@ class Surface:
         arrays = self._core.visible_lines(*view, _style(kinds, line_options), hidden, joined_in_picture)
         return Polylines.of_core(arrays, plane)
 
-    @options.takes(options.LINES, told="lines()")
+    @options.takes(options.LINES, documented_in="lines()")
     def strokes(self, *, direction: Point | None = None, eye: Point | None = None, up: Point = (0, 1, 0),
                 light: Point | None = None, kinds: Kinds = None, size: float = 200,
                 **line_options: Unpack[LineOptions]) -> Polylines:
@@ -143,7 +143,7 @@ def _surface(mesh, given):
     return mesh, others
 
 
-@options.takes(options.FIELD, told="Surface()")
+@options.takes(options.FIELD, documented_in="Surface()")
 def field(mesh: Any, **field_options: Unpack[FieldOptions]) -> dict[str, NDArray[numpy.float32]]:
     """Normals n, their Laplacian Δn, the derivative S of n (curvature) and the kernel's size at each vertex of a mesh.
 
@@ -156,7 +156,7 @@ def field(mesh: Any, **field_options: Unpack[FieldOptions]) -> dict[str, NDArray
     return Surface(mesh, **field_options).field()
 
 
-@options.takes(options.LINES, options.FIELD, told="Surface.lines(), and of Surface() for the field")
+@options.takes(options.LINES, options.FIELD, documented_in="Surface.lines(), and of Surface() for the field")
 def lines(mesh: Any, *, direction: Point | None = None, eye: Point | None = None, up: Point = (0, 1, 0),
           light: Point | None = None, kinds: Kinds = None, **line_options: Unpack[Options]) -> Polylines:
     """All lines of a mesh as they are drawn in a view, also those that the surface hides.
@@ -171,7 +171,7 @@ def lines(mesh: Any, *, direction: Point | None = None, eye: Point | None = None
     return surface.lines(direction=direction, eye=eye, up=up, light=light, kinds=kinds, **of_lines)
 
 
-@options.takes(options.LINES, options.FIELD, told="Surface.lines(), and of Surface() for the field")
+@options.takes(options.LINES, options.FIELD, documented_in="Surface.lines(), and of Surface() for the field")
 def visible_lines(mesh: Any, *, direction: Point | None = None, eye: Point | None = None, up: Point = (0, 1, 0),
                   light: Point | None = None, kinds: Kinds = None, hidden: bool = False,
                   joined_in_picture: bool = False, **line_options: Unpack[Options]) -> Polylines:
@@ -186,7 +186,7 @@ def visible_lines(mesh: Any, *, direction: Point | None = None, eye: Point | Non
                                  joined_in_picture=joined_in_picture, **of_lines)
 
 
-@options.takes(options.LINES, options.FIELD, told="Surface.lines(), and of Surface() for the field")
+@options.takes(options.LINES, options.FIELD, documented_in="Surface.lines(), and of Surface() for the field")
 def strokes(mesh: Any, *, direction: Point | None = None, eye: Point | None = None, up: Point = (0, 1, 0),
             light: Point | None = None, kinds: Kinds = None, size: float = 200, **line_options: Unpack[Options]) -> Polylines:
     """The strokes that a drawing of the view has, in space: seen, joined, thinned out, smooth.

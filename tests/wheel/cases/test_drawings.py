@@ -25,7 +25,7 @@ class Drawings(unittest.TestCase):
                 self.assertEqual(drawing.format, file.suffix[1:])
 
     def test_are_at_true_scale(self):
-        drawing = ll.make_drawing(sphere(radius=2, steps=5), unit="cm", scale="1:2", paper="fit", furniture=False,
+        drawing = ll.make_drawing(sphere(radius=2, steps=5), unit="cm", scale="1:2", paper="fit", annotations=False,
                                   strokes="plain")
         self.assertEqual(drawing.scale, 0.5)  # 4 cm, half as large
         self.assertEqual(drawing.paper, (110, 20 + 2 * 10 + 16))  # as wide as the strip below has to be, with margins
@@ -37,21 +37,21 @@ class Drawings(unittest.TestCase):
     def test_of_several_meshes_hide_each_other(self):
         vertices, faces = sphere(steps=4)
         behind = (vertices / 2 - (0, 0, 3), faces)
-        alone = ll.make_drawing((vertices, faces), furniture=False, scale="10:1").content
-        both = ll.make_drawing((vertices, faces), behind, furniture=False, scale="10:1", kinds="contours").content
+        alone = ll.make_drawing((vertices, faces), annotations=False, scale="10:1").content
+        both = ll.make_drawing((vertices, faces), behind, annotations=False, scale="10:1", kinds="contours").content
         self.assertEqual(re.findall(rb' d="[^"]*"', both), re.findall(rb' d="[^"]*"', alone))
 
     def test_take_options_as_python_has_them(self):
-        plain = ll.make_drawing(torus(), views=["front", "30,15"], furniture=False, wall=1)
-        written = ll.make_drawing(torus(), views="front,30,15", furniture=0, wall="Filled")
+        plain = ll.make_drawing(torus(), views=["front", "30,15"], annotations=False, wall=1)
+        written = ll.make_drawing(torus(), views="front,30,15", annotations=0, wall="Filled")
         self.assertEqual(plain, written)
-        self.assertIn('"--furniture","none"', plain.content.decode())
+        self.assertIn('"--annotations","none"', plain.content.decode())
 
     def test_say_what_can_be_used(self):
         for given, error, words in (
                 ({"paper": "a9"}, TypeError, "must be 'a5', 'a4'"), ({"views": "inside"}, ll.Error, "is not a view"),
                 ({"view": "six"}, TypeError, "Did you mean views"), ({"views": [3]}, TypeError, "a text or several"),
-                ({"furniture": "none"}, TypeError, "of type bool"), ({"scale": "9:1", "unit": "m"}, ll.Error, "paper"),
+                ({"annotations": "none"}, TypeError, "of type bool"), ({"scale": "9:1", "unit": "m"}, ll.Error, "paper"),
                 ({"format": "png", "dpi": 5}, ll.Error, "between 20 and 2400"), ({"dpi": "x"}, TypeError, "of type float"),
                 ({"format": "png", "title": "日"}, ll.Error, "SVG or DXF"), ({"format": "doc"}, ll.Error, r"\.svg")):
             with self.subTest(given):

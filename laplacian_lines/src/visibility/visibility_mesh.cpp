@@ -5,7 +5,7 @@
 //  3. Find where triangles intersect (cuts) or touch (vertices on edges).
 //  4. Merge ends of cuts with the vertices that they coincide with; find vertices on cuts.
 //  5. Divide sides of triangles and cuts at the vertices on them, and group them by edge.
-#include "visibility/sight_mesh.h"
+#include "visibility/visibility_mesh.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -22,7 +22,7 @@
 #include "system/disjoint_sets.h"
 #include "system/equal_elements.h"
 #include "visibility/surface_contacts.h"
-#include "visibility/vertex_places.h"
+#include "visibility/vertex_lookup.h"
 
 namespace laplacian_lines {
 namespace {
@@ -38,14 +38,14 @@ bool is_finite(const TriangleMesh& mesh, const Triangle& t) {
     });
 }
 
-double height_of(const SightMesh& mesh, const Triangle& t) {
+double height_of(const VisibilityMesh& mesh, const Triangle& t) {
     const Vector3d &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
     const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
     return longest > 0 ? (b - a).cross(c - a).norm() / longest : 0;
 }
 
 template <class Keep>
-void keep_triangles(SightMesh& mesh, Keep keep) {
+void keep_triangles(VisibilityMesh& mesh, Keep keep) {
     mesh.triangles =
         collect<Triangle>(mesh.triangles.size(), [&](std::uint32_t t, std::vector<Triangle>& kept) {
             if (keep(t)) kept.push_back(mesh.triangles[t]);
@@ -68,14 +68,14 @@ std::vector<std::uint32_t> first_equal_triangles(const std::vector<Triangle>& tr
     });
 }
 
-void replace_vertices(const std::vector<std::uint32_t>& by, SightMesh& mesh) {
+void replace_vertices(const std::vector<std::uint32_t>& by, VisibilityMesh& mesh) {
     for (Triangle& t : mesh.triangles)
         for (std::uint32_t& v : t)
             v = by[v];
 }
 
 /// Drops triangles without height, and all but one of those with the same corners.
-void drop_triangles(SightMesh& mesh) {
+void drop_triangles(VisibilityMesh& mesh) {
     keep_triangles(
         mesh, [&](std::uint32_t t) { return height_of(mesh, mesh.triangles[t]) > mesh.precision; });
     const std::vector<std::uint32_t> first = first_equal_triangles(mesh.triangles);
@@ -83,7 +83,7 @@ void drop_triangles(SightMesh& mesh) {
 }
 
 /// Merges pairs of vertices, keeping the smallest number. Returns whether there were any.
-bool weld(const std::vector<std::array<std::uint32_t, 2>>& pairs, SightMesh& mesh) {
+bool weld(const std::vector<std::array<std::uint32_t, 2>>& pairs, VisibilityMesh& mesh) {
     if (pairs.empty()) return false;
     DisjointSets sets(mesh.positions.size());
     for (const auto& [a, b] : pairs)
@@ -94,8 +94,8 @@ bool weld(const std::vector<std::array<std::uint32_t, 2>>& pairs, SightMesh& mes
 }
 
 /// Merges border vertices within the precision of each other.
-bool weld_borders(const std::vector<bool>& on_border, SightMesh& mesh) {
-    const VertexPlaces places(mesh, [&](std::uint32_t v) { return on_border[v]; });
+bool weld_borders(const std::vector<bool>& on_border, VisibilityMesh& mesh) {
+    const VertexLookup places(mesh, [&](std::uint32_t v) { return on_border[v]; });
     using Pair = std::array<std::uint32_t, 2>;
     const auto find = [&](std::uint32_t v, std::vector<Pair>& pairs) {
         if (!on_border[v]) return;
@@ -108,7 +108,7 @@ bool weld_borders(const std::vector<bool>& on_border, SightMesh& mesh) {
 
 /// Calls visit(triangle) for those that pass within the precision of a straight line.
 template <class Visit>
-void visit_triangles(const SightMesh& mesh, const SurfaceContacts& contacts, const Edge& line,
+void visit_triangles(const VisibilityMesh& mesh, const SurfaceContacts& contacts, const Edge& line,
                      Visit visit) {
     contacts.triangles.visit(
         box_around(mesh.positions[line[0]], mesh.positions[line[1]], mesh.precision),
@@ -120,9 +120,9 @@ void visit_triangles(const SightMesh& mesh, const SurfaceContacts& contacts, con
 
 /// For each end of a cut, which are the vertices from `first_end` on, the first vertex within the
 /// precision.
-std::vector<std::uint32_t> first_at_ends(const SightMesh& mesh, std::uint32_t first_end,
+std::vector<std::uint32_t> first_at_ends(const VisibilityMesh& mesh, std::uint32_t first_end,
                                          const SurfaceContacts& contacts) {
-    const VertexPlaces ends(mesh, [&](std::uint32_t v) { return v >= first_end; });
+    const VertexLookup ends(mesh, [&](std::uint32_t v) { return v >= first_end; });
     std::vector<std::uint32_t> first(mesh.positions.size() - first_end);
     for_each_element(first.size(), [&](std::size_t i) {
         const auto end = first_end + std::uint32_t(i);
@@ -149,7 +149,7 @@ void drop(std::vector<T>& elements, Is is_dropped) {
 
 /// Merges ends of cuts with the vertices that they coincide with, so that no edge is shorter than
 /// the precision.
-void weld_ends(std::uint32_t first_end, const SightMesh& mesh, SurfaceContacts& contacts) {
+void weld_ends(std::uint32_t first_end, const VisibilityMesh& mesh, SurfaceContacts& contacts) {
     const std::vector<std::uint32_t> first = first_at_ends(mesh, first_end, contacts);
     const auto welded = [&](std::uint32_t v) { return v < first_end ? v : first[v - first_end]; };
     for (SurfaceContacts::Cut& cut : contacts.cuts)
@@ -163,12 +163,12 @@ void weld_ends(std::uint32_t first_end, const SightMesh& mesh, SurfaceContacts& 
 }
 
 /// Finds vertices on cuts, and ends of cuts on edges that none of the cut's triangles has.
-void find_on_cuts(const SightMesh& mesh, SurfaceContacts& contacts) {
+void find_on_cuts(const VisibilityMesh& mesh, SurfaceContacts& contacts) {
     std::vector<bool> are_ends(mesh.positions.size());
     for (const SurfaceContacts::Cut& cut : contacts.cuts)
         for (const std::uint32_t v : cut.vertices)
             are_ends[v] = true;
-    const VertexPlaces ends(mesh, [&](std::uint32_t v) { return are_ends[v]; });
+    const VertexLookup ends(mesh, [&](std::uint32_t v) { return are_ends[v]; });
     const auto add_if_on = [&](std::uint32_t v, const Edge& edge, std::vector<Contact>& found) {
         if (lies_between(mesh.positions, v, edge[0], edge[1], mesh.precision))
             found.push_back({edge, v});
@@ -196,7 +196,7 @@ void find_on_cuts(const SightMesh& mesh, SurfaceContacts& contacts) {
 
 /// Moves vertices within the precision of an edge onto it: an edge that bends there would leave its
 /// triangles' planes, which matters for faces seen edge-on.
-void straighten(const std::vector<Contact>& on_edges, SightMesh& mesh) {
+void straighten(const std::vector<Contact>& on_edges, VisibilityMesh& mesh) {
     constexpr int kRounds = 3;  // for vertices on several edges
     for (int round = 0; round < kRounds; ++round)
         for (const Contact& on : on_edges) {
@@ -210,12 +210,13 @@ void straighten(const std::vector<Contact>& on_edges, SightMesh& mesh) {
 /// A side of a triangle, or a part of one.
 struct LooseSide {
     Edge edge;
-    SightMesh::Side side;
+    VisibilityMesh::Side side;
 };
 
 /// Appends the parts of a side between the vertices that lie on it. `on_edges`: sorted.
-void divide_side(const SightMesh& mesh, const std::vector<Contact>& on_edges, std::uint32_t from,
-                 std::uint32_t to, std::uint32_t triangle, std::vector<LooseSide>& parts) {
+void divide_side(const VisibilityMesh& mesh, const std::vector<Contact>& on_edges,
+                 std::uint32_t from, std::uint32_t to, std::uint32_t triangle,
+                 std::vector<LooseSide>& parts) {
     const Edge edge = edge_between(from, to);
     const auto add = [&](std::uint32_t a, std::uint32_t b) {
         parts.push_back({edge_between(a, b), {triangle, (a > b) != (from > to)}});
@@ -236,12 +237,12 @@ void divide_side(const SightMesh& mesh, const std::vector<Contact>& on_edges, st
 }
 
 /// Groups sides by edge; those of an edge are in the order of the triangles.
-void set_edges(const std::vector<LooseSide>& loose, SightMesh& mesh) {
+void set_edges(const std::vector<LooseSide>& loose, VisibilityMesh& mesh) {
     struct Part {
-        std::vector<SightMesh::Edge> edges;
-        std::vector<SightMesh::Side> sides;
+        std::vector<VisibilityMesh::Edge> edges;
+        std::vector<VisibilityMesh::Side> sides;
     };
-    const auto key = [](const SightMesh::Side& side) {
+    const auto key = [](const VisibilityMesh::Side& side) {
         return std::uint32_t(side.triangle) << 1 | side.is_reversed;
     };
     const auto add_edge = [&](const std::uint32_t* begin, const std::uint32_t* end, Part& part) {
@@ -262,7 +263,7 @@ void set_edges(const std::vector<LooseSide>& loose, SightMesh& mesh) {
         [&](std::uint32_t i) -> const Edge& { return loose[i].edge; }, add_edge);
     for (const Part& part : parts) {
         const auto first = std::uint32_t(mesh.sides.size());
-        for (SightMesh::Edge edge : part.edges) {
+        for (VisibilityMesh::Edge edge : part.edges) {
             edge.first_side += first;
             mesh.edges.push_back(edge);
         }
@@ -273,7 +274,7 @@ void set_edges(const std::vector<LooseSide>& loose, SightMesh& mesh) {
 
 /// Builds edges from the sides of triangles and from cuts, both of whose triangles lie on both
 /// sides.
-void build_edges(const SurfaceContacts& contacts, SightMesh& mesh) {
+void build_edges(const SurfaceContacts& contacts, VisibilityMesh& mesh) {
     const auto divide = [&](std::uint32_t side, std::vector<LooseSide>& parts) {
         divide_side(mesh, contacts.on_edges, begin_of(mesh.triangles, side),
                     end_of(mesh.triangles, side), side / 3, parts);
@@ -287,7 +288,7 @@ void build_edges(const SurfaceContacts& contacts, SightMesh& mesh) {
     set_edges(sides, mesh);
 }
 
-void find_bodies(SightMesh& mesh) {
+void find_bodies(VisibilityMesh& mesh) {
     bool any_touch = false;
     DisjointSets sets(mesh.triangles.size());
     for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
@@ -298,7 +299,7 @@ void find_bodies(SightMesh& mesh) {
     if (any_touch) mesh.bodies = sets.take_roots();
 }
 
-void find_edges(SightMesh& mesh, const StageProgress& stage) {
+void find_edges(VisibilityMesh& mesh, const StageProgress& stage) {
     replace_vertices(first_equal_positions(mesh.positions), mesh);
     unfold_needles(mesh.positions, mesh.triangles);
     drop_triangles(mesh);
@@ -322,7 +323,7 @@ void find_edges(SightMesh& mesh, const StageProgress& stage) {
 
 }  // namespace
 
-std::uint32_t SightMesh::edge_between(std::uint32_t a, std::uint32_t b) const {
+std::uint32_t VisibilityMesh::edge_between(std::uint32_t a, std::uint32_t b) const {
     const auto ends = std::minmax(a, b);
     const auto last = edges.begin() + std::ptrdiff_t(edge_count());
     const auto edge =
@@ -334,15 +335,15 @@ std::uint32_t SightMesh::edge_between(std::uint32_t a, std::uint32_t b) const {
     return is_there ? std::uint32_t(edge - edges.begin()) : kNoEdge;
 }
 
-Vector3d SightMesh::normal(std::uint32_t triangle) const {
+Vector3d VisibilityMesh::normal(std::uint32_t triangle) const {
     const Triangle& t = triangles[triangle];
     const Vector3d& a = positions[t[0]];
     return (positions[t[1]] - a).cross(positions[t[2]] - a).normalized();
 }
 
-SightMesh build_sight_mesh(const TriangleMesh& mesh, const StageProgress& stage) {
+VisibilityMesh build_visibility_mesh(const TriangleMesh& mesh, const StageProgress& stage) {
     stage.report(0);
-    SightMesh result;
+    VisibilityMesh result;
     for (const Triangle& t : mesh.triangles)
         if (is_finite(mesh, t)) result.triangles.push_back(t);
     if (result.triangles.empty()) return result;
@@ -361,8 +362,9 @@ SightMesh build_sight_mesh(const TriangleMesh& mesh, const StageProgress& stage)
     return result;
 }
 
-SightMesh build_sight_mesh(TriangleMesh part, const SightMesh& whole, const StageProgress& stage) {
-    SightMesh result;
+VisibilityMesh build_visibility_mesh(TriangleMesh part, const VisibilityMesh& whole,
+                                     const StageProgress& stage) {
+    VisibilityMesh result;
     result.centre = whole.centre;
     result.size = whole.size;
     result.precision = whole.precision;

@@ -10,7 +10,7 @@
 #include "laplacian_lines/view.h"
 
 /// Views with ties.
-namespace sight_views {
+namespace tie_views {
 
 using laplacian_lines::LineKind;
 using laplacian_lines::View;
@@ -48,4 +48,4 @@ inline std::string words(const View& view) {
     return out.str();
 }
 
-}  // namespace sight_views
+}  // namespace tie_views

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "placed_layers.h"
+#include "world_layers.h"
 
 #include <QStringList>
 
@@ -8,7 +8,7 @@
 #include "meshlab_host/documents.h"
 #include "meshlab_host/field_source.h"
 #include "meshlab_host/mesh_conversion.h"
-#include "meshlab_host/placed_mesh.h"
+#include "meshlab_host/mesh_transform.h"
 
 using laplacian_lines::Error;
 using laplacian_lines::ErrorCode;
@@ -17,24 +17,24 @@ using meshlab_host::FilterRun;
 
 namespace {
 
-PlacedLayer place_in_world(const MeshModel& layer, const FilterRun& run, const Progress& progress) {
+WorldLayer copy_layer(const MeshModel& layer, const FilterRun& run, const Progress& progress) {
     const Eigen::Matrix4d transform = meshlab_host::layer_transform(layer.cm);
     const meshlab_host::FieldSource source = meshlab_host::field_source(layer.cm);
-    PlacedLayer result{layer.label(), meshlab_host::to_triangle_mesh(layer.cm), {}};
+    WorldLayer result{layer.label(), meshlab_host::to_triangle_mesh(layer.cm), {}};
     if (source.status == meshlab_host::FieldStatus::Current) {
-        result.field = meshlab_host::demand_field(layer.cm, result.mesh, result.name, source,
-                                                  run.say, progress);
+        result.field = meshlab_host::find_or_compute_field(layer.cm, result.mesh, result.name,
+                                                           source, run.say, progress);
         if (!meshlab_host::similarity_of(transform))
             run.say(
                 "The layer's transformation stretches it: its lines are recomputed as it stands.");
     }
-    meshlab_host::place(transform, source.options, result.mesh, result.field, progress);
+    meshlab_host::apply_transform(transform, source.options, result.mesh, result.field, progress);
     if (!result.field)
         laplacian_lines::measure_scale(result.mesh, {});  // refuses what cannot be drawn
     return result;
 }
 
-void place_all_visible(const FilterRun& run, double share, PlacedLayers& placed) {
+void copy_visible_layers(const FilterRun& run, double share, WorldLayers& placed) {
     const std::vector<int> ids = meshlab_host::layer_ids(run.document, true);
     const double step = share / std::max<double>(1, double(ids.size()));
     for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -47,7 +47,7 @@ void place_all_visible(const FilterRun& run, double share, PlacedLayers& placed)
         }
         const double begin = step * double(i);
         try {
-            placed.push_back(place_in_world(
+            placed.push_back(copy_layer(
                 *layer, run, meshlab_host::progress_to(run.progress, begin, begin + step)));
         } catch (const Error& error) {
             if (error.code() == ErrorCode::Cancelled) throw;
@@ -62,21 +62,21 @@ void place_all_visible(const FilterRun& run, double share, PlacedLayers& placed)
 
 }  // namespace
 
-PlacedLayers place_layers(const LayerChoice& choice, const FilterRun& run, double share) {
+WorldLayers copy_layers(const LayerChoice& choice, const FilterRun& run, double share) {
     constexpr double field_part = 0.9;
-    PlacedLayers placed;
+    WorldLayers placed;
     if (choice.all_visible)
-        place_all_visible(run, field_part * share, placed);
+        copy_visible_layers(run, field_part * share, placed);
     else
         placed.push_back(
-            place_in_world(*run.document.mm(), run,
-                           meshlab_host::progress_to(run.progress, 0, field_part * share)));
+            copy_layer(*run.document.mm(), run,
+                       meshlab_host::progress_to(run.progress, 0, field_part * share)));
     if (!choice.derivatives) return placed;
     double begin = field_part * share;
     const double step = (share - begin) / double(placed.size());
-    for (PlacedLayer& layer : placed) {
+    for (WorldLayer& layer : placed) {
         if (layer.field)
-            meshlab_host::demand_derivatives(
+            meshlab_host::ensure_derivatives(
                 layer.mesh, *layer.field,
                 meshlab_host::progress_to(run.progress, begin, begin + step));
         begin += step;
@@ -84,17 +84,17 @@ PlacedLayers place_layers(const LayerChoice& choice, const FilterRun& run, doubl
     return placed;
 }
 
-line_drawing::Objects objects_of(const PlacedLayers& layers) {
+line_drawing::Objects objects_of(const WorldLayers& layers) {
     line_drawing::Objects objects;
-    for (const PlacedLayer& layer : layers)
+    for (const WorldLayer& layer : layers)
         objects.push_back(
             {layer.mesh, layer.field ? &*layer.field : nullptr, layer.name.toStdString()});
     return objects;
 }
 
-QString names_of(const PlacedLayers& layers) {
+QString names_of(const WorldLayers& layers) {
     QStringList names;
-    for (const PlacedLayer& layer : layers)
+    for (const WorldLayer& layer : layers)
         names << layer.name;
     return names.join(", ");
 }

@@ -6,7 +6,7 @@
 #include "fixed/piece_graph.h"
 #include "rules/line_rules.h"
 #include "system/disjoint_sets.h"
-#include "visibility/sight_pieces.h"
+#include "visibility/visibility_pieces.h"
 
 namespace laplacian_lines {
 namespace {
@@ -17,22 +17,22 @@ using Eigen::Vector3d;
 constexpr std::size_t kMostAtNode = 64;  // pieces; of more only outlines are joined
 constexpr double kStraight = 0.5;  // least cosine of the turn at which a line passes a junction
 
-class SightTracer {
+class ViewLineTracer {
 public:
     /// Of edges, or of lines on the surface.
-    SightTracer(const SightSegments& all, const std::vector<SightPiece>& pieces,
-                const SightOptions& options, bool of_edges)
+    ViewLineTracer(const VisibilitySegments& all, const std::vector<VisibilityPiece>& pieces,
+                   const VisibilityOptions& options, bool of_edges)
         : all_(all),
           options_(options),
           of_edges_(of_edges),
           first_crossing_(first_crossing_node(all)) {
-        for (const SightPiece& piece : pieces)
+        for (const VisibilityPiece& piece : pieces)
             if (is_wanted(piece)) pieces_.push_back(piece);
-        if (of_edges && options.shortest_contour > 0) leave_out_specks();
+        if (of_edges && options.shortest_contour > 0) drop_specks();
         nodes_.assign(2 * pieces_.size(), kNone);
     }
 
-    void trace(std::vector<SightLine>& traced) {
+    void trace(std::vector<ViewLine>& traced) {
         if (of_edges_)
             link_at_nodes();
         else
@@ -42,7 +42,7 @@ public:
         for (std::size_t piece = 0; piece < pieces_.size(); ++piece)
             graph_.add(nodes_[2 * piece], nodes_[2 * piece + 1]);
         for (const PieceGraph::Line& line : graph_.lines()) {
-            traced.push_back(sight_line(line));
+            traced.push_back(view_line(line));
             if (!of_edges_ || !options_.in_picture) smooth(traced.back());
             if (!of_edges_) describe_line(segment_of(2 * line.pieces[0]).line, traced.back());
         }
@@ -51,25 +51,25 @@ public:
 private:
     static constexpr std::uint32_t kNone = 0xffffffffu;
 
-    const SightSegment& segment_of(std::uint32_t half) const {
+    const VisibilitySegment& segment_of(std::uint32_t half) const {
         return all_.segments[pieces_[half / 2].segment];
     }
 
-    bool is_wanted(const SightPiece& piece) const {
-        const SightSegment& segment = all_.segments[piece.segment];
-        if ((segment.edge != SightSegment::kNone) != of_edges_) return false;
+    bool is_wanted(const VisibilityPiece& piece) const {
+        const VisibilitySegment& segment = all_.segments[piece.segment];
+        if ((segment.edge != VisibilitySegment::kNone) != of_edges_) return false;
         const bool may_be_hidden = of_edges_ && options_.has_hidden;
         return (!of_edges_ || options_.shows[segment.kind]) && (may_be_hidden || !piece.is_hidden);
     }
 
     /// Drops specks, which rough scans have near their horizon: contours and borders in connected
     /// sets smaller than the shortest contour.
-    void leave_out_specks() {
+    void drop_specks() {
         std::uint32_t nodes = 0;
-        for (const SightPiece& piece : pieces_)
+        for (const VisibilityPiece& piece : pieces_)
             nodes = std::max({nodes, piece.nodes[0] + 1, piece.nodes[1] + 1});
         DisjointSets sets(nodes);
-        for (const SightPiece& piece : pieces_)
+        for (const VisibilityPiece& piece : pieces_)
             if (!piece.is_hidden) sets.unite(piece.nodes[0], piece.nodes[1]);
         const std::vector<std::uint32_t> set = sets.take_roots();
         std::vector<std::uint32_t> first(nodes, kNone);  // half of a set
@@ -81,7 +81,7 @@ private:
             reach[at] = std::max(reach[at], (position(half) - position(first[at])).norm());
         }
         const double shortest = options_.shortest_contour * all_.picture.mesh().size;
-        const auto is_speck = [&](const SightPiece& piece) {
+        const auto is_speck = [&](const VisibilityPiece& piece) {
             return !piece.is_hidden && describe(all_.segments[piece.segment].kind).is_outline &&
                    reach[set[piece.nodes[0]]] < shortest;
         };
@@ -90,9 +90,9 @@ private:
 
     /// Only pieces of one class are joined; near edges of faces seen edge-on are a class.
     int class_of(std::uint32_t half) const {
-        const SightPiece& piece = pieces_[half / 2];
+        const VisibilityPiece& piece = pieces_[half / 2];
         if (options_.in_picture && piece.is_outline) return -1;
-        const SightSegment& segment = segment_of(half);
+        const VisibilitySegment& segment = segment_of(half);
         const bool is_outline = describe(segment.kind).is_outline;
         if (is_outline && !segment.divides) return 2 * int(kLineKindCount) + piece.is_hidden;
         const int kind = options_.in_picture && is_outline ? 0 : int(segment.kind);
@@ -101,7 +101,7 @@ private:
 
     /// In space, each of the two segments of a crossing has a node of its own.
     std::pair<std::uint32_t, std::uint32_t> node_of(std::uint32_t half) const {
-        const SightPiece& piece = pieces_[half / 2];
+        const VisibilityPiece& piece = pieces_[half / 2];
         const std::uint32_t node = piece.nodes[half % 2];
         const bool is_in_space = node >= first_crossing_ && !options_.in_picture;
         return {node, is_in_space ? piece.segment : 0};
@@ -162,29 +162,30 @@ private:
 
     /// The direction of a piece from one of its ends, in the picture.
     Vector2d direction(std::uint32_t half) const {
-        const SightSegment& segment = segment_of(half);
-        const Vector3d along = all_.place(segment.points[1]) - all_.place(segment.points[0]);
+        const VisibilitySegment& segment = segment_of(half);
+        const Vector3d along =
+            all_.projected(segment.points[1]) - all_.projected(segment.points[0]);
         return (half % 2 == 0 ? 1 : -1) * along.head<2>().stableNormalized();
     }
 
     Vector3d position(std::uint32_t half) const {
-        const SightSegment& segment = segment_of(half);
+        const VisibilitySegment& segment = segment_of(half);
         const Vector3d &a = all_.position(segment.points[0]), &b = all_.position(segment.points[1]);
         const double share = share_at(all_, pieces_[half / 2], int(half % 2));
         return all_.picture.mesh().in_mesh(a + share * (b - a));
     }
 
-    SightPoint point_at(std::uint32_t half) const {
-        const SightPiece& piece = pieces_[half / 2];
-        const SightSegment& segment = segment_of(half);
-        SightPoint point{position(half), 1, 0, 1, piece.nodes[half % 2], segment.is_exact};
+    ViewLinePoint point_at(std::uint32_t half) const {
+        const VisibilityPiece& piece = pieces_[half / 2];
+        const VisibilitySegment& segment = segment_of(half);
+        ViewLinePoint point{position(half), 1, 0, 1, piece.nodes[half % 2], segment.is_exact};
         if (of_edges_) return point;
-        const SightSegments::Line& of = all_.lines[segment.line];
+        const VisibilitySegments::Line& of = all_.lines[segment.line];
         const LinePoint* const a =
             &of.set->points[of.line->first + segment.points[0] - of.first_point];
         const double share = share_at(all_, piece, int(half % 2));
         // not from local coordinates, which may be coarser than the line's
-        point.position = (1 - share) * of.set->place(a[0]) + share * of.set->place(a[1]);
+        point.position = (1 - share) * of.set->position(a[0]) + share * of.set->position(a[1]);
         const auto t = float(share);
         const auto between = [&](float LinePoint::*value) {
             return (1 - t) * a[0].*value + t * a[1].*value;
@@ -195,16 +196,16 @@ private:
         return point;
     }
 
-    SightLine sight_line(const PieceGraph::Line& traced) const {
-        const SightPiece& first = pieces_[traced.pieces[0]];
-        SightLine line{segment_of(2 * traced.pieces[0]).kind,
-                       traced.is_closed,
-                       first.is_hidden,
-                       first.is_outline,
-                       0,
-                       0,
-                       0,
-                       {}};
+    ViewLine view_line(const PieceGraph::Line& traced) const {
+        const VisibilityPiece& first = pieces_[traced.pieces[0]];
+        ViewLine line{segment_of(2 * traced.pieces[0]).kind,
+                      traced.is_closed,
+                      first.is_hidden,
+                      first.is_outline,
+                      0,
+                      0,
+                      0,
+                      {}};
         std::uint32_t last = kNone;  // the half by which the line left the piece before
         for (std::size_t i = 0; i < traced.pieces.size(); ++i) {
             const std::uint32_t piece = traced.pieces[i];
@@ -224,25 +225,25 @@ private:
     }
 
     /// Lines on the surface have nodes only at their ends, and no depth jumps.
-    void describe_line(std::uint32_t number, SightLine& line) const {
+    void describe_line(std::uint32_t number, ViewLine& line) const {
         line.jump = 0;
         line.strength = all_.lines[number].line->strength;
         line.slope = all_.lines[number].line->slope;
         for (std::size_t i = 1; i + 1 < line.points.size(); ++i)
-            line.points[i].node = kNoSightNode;
+            line.points[i].node = kNoNode;
     }
 
     /// Smooths between exact points and open ends. Removes the points of a smooth line where it is
     /// only crossed in the picture, since they would disturb that.
-    void smooth(SightLine& line) const {
-        const auto is_passed = [&](const SightPoint& point) {
+    void smooth(ViewLine& line) const {
+        const auto is_passed = [&](const ViewLinePoint& point) {
             return !point.is_exact && point.node >= first_crossing_;
         };
-        std::vector<SightPoint>& points = line.points;
+        std::vector<ViewLinePoint>& points = line.points;
         if (line.closed) points.pop_back();
         const auto from = points.begin() + !line.closed, to = points.end() - !line.closed;
         points.erase(std::remove_if(from, to, is_passed), to);
-        if (line.closed) points.push_back(SightPoint(points.front()));
+        if (line.closed) points.push_back(ViewLinePoint(points.front()));
         const std::size_t last = points.size() - 1;
         if (last < 2) return;
         smooth_binomially(
@@ -254,22 +255,23 @@ private:
             });
     }
 
-    const SightSegments& all_;
-    const SightOptions& options_;
+    const VisibilitySegments& all_;
+    const VisibilityOptions& options_;
     const bool of_edges_;
     const std::uint32_t first_crossing_;
-    std::vector<SightPiece> pieces_;
+    std::vector<VisibilityPiece> pieces_;
     PieceGraph graph_;
     std::vector<std::uint32_t> nodes_;  // of graph_, by half: end 2p and 2p + 1 of piece p
 };
 
 }  // namespace
 
-std::vector<SightLine> trace_lines(const SightSegments& all, const std::vector<SightPiece>& pieces,
-                                   const SightOptions& options) {
-    std::vector<SightLine> traced;
+std::vector<ViewLine> trace_lines(const VisibilitySegments& all,
+                                  const std::vector<VisibilityPiece>& pieces,
+                                  const VisibilityOptions& options) {
+    std::vector<ViewLine> traced;
     for (const bool of_edges : {true, false})
-        SightTracer(all, pieces, options, of_edges).trace(traced);
+        ViewLineTracer(all, pieces, options, of_edges).trace(traced);
     return traced;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "laplacian_lines/line_visibility.h"
-#include "visibility/sight_segments.h"
+#include "visibility/visibility_segments.h"
 
 namespace laplacian_lines {
 
@@ -20,10 +20,10 @@ struct PictureCrossing {
 /// space. The orientations of the four ends decide, and are computed in one way everywhere: a chain
 /// that passes over another crosses it once, also at a vertex. The order does not depend on
 /// threads.
-std::vector<PictureCrossing> find_crossings(const SightSegments& all);
+std::vector<PictureCrossing> find_crossings(const VisibilitySegments& all);
 
 /// A part of a segment between neighbouring crossings or ends: visibility is constant along it.
-struct SightPiece {
+struct VisibilityPiece {
     std::uint32_t segment;
     /// Numbers of points of the segments, then of crossings.
     std::uint32_t nodes[2];
@@ -35,22 +35,23 @@ struct SightPiece {
 
 /// The pieces of all segments that are drawn, in order, each decided by one ray through its middle.
 /// @throws Error(Cancelled)
-std::vector<SightPiece> find_sight_pieces(const SightSegments& all,
-                                          const std::vector<PictureCrossing>& crossings,
-                                          const StageProgress& stage);
+std::vector<VisibilityPiece> find_visibility_pieces(const VisibilitySegments& all,
+                                                    const std::vector<PictureCrossing>& crossings,
+                                                    const StageProgress& stage);
 
 /// The number of the first node that is a crossing.
-std::uint32_t first_crossing_node(const SightSegments& all);
+std::uint32_t first_crossing_node(const VisibilitySegments& all);
 
 /// Closes hidden gaps below .1 % of D in lines on the surface and hides visible parts below .3 %.
-void mend_lines(const SightSegments& all, std::vector<SightPiece>& pieces);
+void repair_lines(const VisibilitySegments& all, std::vector<VisibilityPiece>& pieces);
 
 /// Joins pieces to lines at common nodes: mesh edges, outlines first, so that they close; then the
 /// visible parts of lines on the surface.
-std::vector<SightLine> trace_lines(const SightSegments& all, const std::vector<SightPiece>& pieces,
-                                   const SightOptions& options);
+std::vector<ViewLine> trace_lines(const VisibilitySegments& all,
+                                  const std::vector<VisibilityPiece>& pieces,
+                                  const VisibilityOptions& options);
 
 /// The share of its segment, in space, at the start (0) or end (1) of a piece.
-double share_at(const SightSegments& all, const SightPiece& piece, int end);
+double share_at(const VisibilitySegments& all, const VisibilityPiece& piece, int end);
 
 }  // namespace laplacian_lines

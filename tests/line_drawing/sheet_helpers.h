@@ -12,7 +12,7 @@
 #include "line_drawing/make_sheet.h"
 #include "line_drawing/words.h"
 
-namespace made_sheets {
+namespace sheet_helpers {
 
 /// Qt's path, which measures independently.
 inline QPainterPath painter_path(const line_drawing::Path& path) {
@@ -104,4 +104,4 @@ inline double area_of(const line_drawing::SheetPath& path) {
     return sum;
 }
 
-}  // namespace made_sheets
+}  // namespace sheet_helpers

@@ -11,7 +11,7 @@ namespace line_drawing {
 /// writes into devices and pipes, never replaces them.
 /// @throws laplacian_lines::Error(InvalidOption) naming file and reason; an existing file is as it
 /// was, and nothing is left beside it
-void write_whole(const std::string& file, const std::string& data);
+void write_atomically(const std::string& file, const std::string& data);
 
 /// Checks, before the work begins, that the file can be written. Writes nothing.
 /// @throws laplacian_lines::Error(InvalidOption)

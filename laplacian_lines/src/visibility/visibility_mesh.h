@@ -18,7 +18,7 @@ constexpr double kMeshReach = 0.5;
 /// touch share edges. Intersecting triangles share an edge, too, with both triangles on both sides.
 /// In local coordinates x' = (x − centre) / size. Unlike a corner table, edges have any number of
 /// triangles, and may be parts of their sides.
-struct SightMesh {
+struct VisibilityMesh {
     /// A side of a triangle, or a part of one between vertices on it. A triangle on both sides of
     /// an edge has two, of both directions.
     struct Side {
@@ -58,8 +58,9 @@ struct SightMesh {
 };
 
 /// Drops triangles whose corners are not finite. @throws Error: InvalidMesh, Cancelled.
-SightMesh build_sight_mesh(const TriangleMesh& mesh, const StageProgress& stage);
+VisibilityMesh build_visibility_mesh(const TriangleMesh& mesh, const StageProgress& stage);
 /// For a part of another mesh, whose local coordinates it keeps.
-SightMesh build_sight_mesh(TriangleMesh part, const SightMesh& whole, const StageProgress& stage);
+VisibilityMesh build_visibility_mesh(TriangleMesh part, const VisibilityMesh& whole,
+                                     const StageProgress& stage);
 
 }  // namespace laplacian_lines

@@ -14,17 +14,18 @@ namespace meshlab_host {
 
 /// Transforms a layer's mesh. Reflected faces keep their outside.
 /// @throws laplacian_lines::Error(InvalidOption) if the transformation is singular
-void place(const Eigen::Matrix4d& layer, laplacian_lines::TriangleMesh& mesh);
+void apply_transform(const Eigen::Matrix4d& layer, laplacian_lines::TriangleMesh& mesh);
 
 /// Transforms a field and its lengths, but drops curvature derivatives, whose frames depend on the
 /// normal's coordinates.
-void place(const Similarity& similarity, laplacian_lines::Field& field);
+void apply_transform(const Similarity& similarity, laplacian_lines::Field& field);
 
 /// Transforms a mesh and its field, if it has one. A field that the transformation stretches or
 /// reflects is recomputed with its options.
 /// @throws laplacian_lines::Error as the above and precompute()
-void place(const Eigen::Matrix4d& layer, laplacian_lines::PrecomputeOptions options,
-           laplacian_lines::TriangleMesh& mesh, std::optional<laplacian_lines::Field>& field,
-           const laplacian_lines::Progress& progress);
+void apply_transform(const Eigen::Matrix4d& layer, laplacian_lines::PrecomputeOptions options,
+                     laplacian_lines::TriangleMesh& mesh,
+                     std::optional<laplacian_lines::Field>& field,
+                     const laplacian_lines::Progress& progress);
 
 }  // namespace meshlab_host

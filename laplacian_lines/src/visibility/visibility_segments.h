@@ -12,12 +12,12 @@ namespace laplacian_lines {
 
 /// A segment that may be drawn, or hide others: a mesh edge that is a contour, border, crease or
 /// intersection, or a segment of a line on the surface.
-struct SightSegment {
+struct VisibilitySegment {
     static constexpr std::uint32_t kNone = 0xffffffffu;
 
-    std::uint32_t points[2] = {0, 0};  ///< of SightSegments
+    std::uint32_t points[2] = {0, 0};  ///< of VisibilitySegments
     std::uint32_t edge = kNone;        ///< of the mesh
-    std::uint32_t line = kNone;        ///< of SightSegments::lines
+    std::uint32_t line = kNone;        ///< of VisibilitySegments::lines
     LineKind kind = LineKind::Contour;
     bool is_drawn = true;
     bool is_exact = true;  ///< an edge of the form; others approximate a smooth line
@@ -25,7 +25,7 @@ struct SightSegment {
 };
 
 /// Points are the mesh's vertices, then those of lines.
-struct SightSegments {
+struct VisibilitySegments {
     /// A line on the surface; outlives this.
     struct Line {
         const LineSet* set;
@@ -33,7 +33,7 @@ struct SightSegments {
         std::uint32_t first_point;
     };
     const Picture& picture;
-    std::vector<SightSegment> segments;
+    std::vector<VisibilitySegment> segments;
     std::vector<Line> lines;
     std::vector<Eigen::Vector3d> line_points, line_places;  ///< local; in the picture
 
@@ -41,7 +41,7 @@ struct SightSegments {
         const auto& vertices = picture.mesh().positions;
         return point < vertices.size() ? vertices[point] : line_points[point - vertices.size()];
     }
-    const Eigen::Vector3d& place(std::uint32_t point) const {
+    const Eigen::Vector3d& projected(std::uint32_t point) const {
         const std::size_t vertices = picture.mesh().positions.size();
         return point < vertices ? picture.vertex(point) : line_places[point - vertices];
     }
@@ -49,12 +49,12 @@ struct SightSegments {
 
 /// The mesh's edges, then segments of the lines on the surface, in order; contours, borders and
 /// creases are edges.
-SightSegments find_sight_segments(const Picture& picture, const CreaseMarks& creases,
-                                  const std::vector<LineSet>& lines);
+VisibilitySegments find_visibility_segments(const Picture& picture, const CreaseMarks& creases,
+                                            const std::vector<LineSet>& lines);
 
 /// How far from its triangle's plane a point of a segment may be, local: ridges and valleys are up
 /// to .06 % of D from the surface.
-double reach_of(const SightMesh& mesh, const SightSegment& segment);
+double reach_of(const VisibilityMesh& mesh, const VisibilitySegment& segment);
 
 bool is_edge_kind(LineKind kind);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sight/observer.h"
+#include "sight/view_builder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ std::vector<laplacian_lines::LineSet> clip_each(std::vector<laplacian_lines::Lin
     return lines;
 }
 
-laplacian_lines::SightOptions sight_of(const SheetOptions& options) {
+laplacian_lines::VisibilityOptions visibility_options(const SheetOptions& options) {
     return {options.style.shows, options.style.line_smoothing,
             options.hidden != HiddenLines::LeftOut, true};
 }
@@ -166,7 +166,7 @@ std::vector<DrawnLine> lines_at(const std::vector<Vector2d>& places,
 
 }  // namespace
 
-Observer::Observer(const Objects& objects)
+ViewBuilder::ViewBuilder(const Objects& objects)
     : objects_(objects),
       joined_(objects.size() == 1 ? TriangleMesh() : joined_mesh(objects)),
       surface_(objects.size() == 1 ? objects.front().mesh : joined_),
@@ -178,13 +178,13 @@ Observer::Observer(const Objects& objects)
                                              "A triangle names a vertex that is not there.");
 }
 
-void Observer::prepare_cuts() {
+void ViewBuilder::prepare_cuts() {
     if (cuttable_.empty())
         for (const Object& object : objects_)
             cuttable_.emplace_back(object.mesh);
 }
 
-DrawnView Observer::stand(const ViewFrame& frame, const SheetOptions& options) {
+DrawnView ViewBuilder::empty_view(const ViewFrame& frame, const SheetOptions& options) {
     if (frame.is_half_section) prepare_cuts();
     const double unit = options.mm_per_unit;
     const Eigen::AlignedBox2d flat = Projection(frame, box_.center()).bounds_of(surface_);
@@ -195,7 +195,7 @@ DrawnView Observer::stand(const ViewFrame& frame, const SheetOptions& options) {
     return drawn;
 }
 
-void Observer::prepare(const std::vector<SheetOptions>& sheets, const Progress& progress) {
+void ViewBuilder::prepare(const std::vector<SheetOptions>& sheets, const Progress& progress) {
     visibility_.emplace(surface_, progress);
     const bool are_alone = std::any_of(sheets.begin(), sheets.end(), [](const SheetOptions& o) {
         return o.area == OutlineArea::Objects;
@@ -204,63 +204,70 @@ void Observer::prepare(const std::vector<SheetOptions>& sheets, const Progress& 
         alone_.emplace_back(objects_[i].mesh);
 }
 
-laplacian_lines::View Observer::view_of(const DrawnView& drawn, const SheetOptions& options) const {
+laplacian_lines::View ViewBuilder::view_of(const DrawnView& drawn,
+                                           const SheetOptions& options) const {
     laplacian_lines::View view = Projection(drawn.frame, box_.center()).view();
     if (options.light) view.light = in_mesh(*options.light, drawn.frame);
     return view;
 }
 
-void Observer::look(DrawnView& drawn, const std::vector<laplacian_lines::LineSet>& lines,
-                    const SheetOptions& options, const Progress& progress) const {
+void ViewBuilder::add_lines(DrawnView& drawn, const std::vector<laplacian_lines::LineSet>& lines,
+                            const SheetOptions& options, const Progress& progress) const {
     if (drawn.frame.eye && visibility_->encloses(*drawn.frame.eye))
         refuse(
             "The eye of a view in perspective is inside the surface. Move it outside, or take a "
             "view without perspective.");
     const laplacian_lines::View view = view_of(drawn, options);
-    if (drawn.frame.is_half_section) return look_half(drawn, view, lines, options, progress);
+    if (drawn.frame.is_half_section)
+        return add_half_section_lines(drawn, view, lines, options, progress);
     drawn.lines =
-        draw(visibility_->look(view, lines, sight_of(options), progress), drawn.frame, options);
+        draw(visibility_->visible_lines(view, lines, visibility_options(options), progress),
+             drawn.frame, options);
     if (options.area == OutlineArea::Objects) add_silhouettes(drawn, options);
 }
 
-void Observer::add_silhouettes(DrawnView& drawn, const SheetOptions& options) const {
-    laplacian_lines::SightOptions outlines = sight_of(options);
+void ViewBuilder::add_silhouettes(DrawnView& drawn, const SheetOptions& options) const {
+    laplacian_lines::VisibilityOptions outlines = visibility_options(options);
     outlines.has_hidden = false;
     outlines.shows = {};
     outlines.shows[laplacian_lines::LineKind::Contour] = true;
     outlines.shows[laplacian_lines::LineKind::Border] = true;
     const laplacian_lines::View view = Projection(drawn.frame, box_.center()).view();
     for (const laplacian_lines::LineVisibility& alone : alone_)
-        drawn.silhouettes.push_back(draw(alone.look(view, {}, outlines), drawn.frame, options));
+        drawn.silhouettes.push_back(
+            draw(alone.visible_lines(view, {}, outlines), drawn.frame, options));
 }
 
-std::vector<DrawnLine> Observer::draw(const SightLines& lines, const ViewFrame& frame,
-                                      const SheetOptions& options) const {
+std::vector<DrawnLine> ViewBuilder::draw(const ViewLines& lines, const ViewFrame& frame,
+                                         const SheetOptions& options) const {
     const Projection projection(frame, box_.center());
-    return project(projection.in_sight(lines), projection, options.mm_per_unit);
+    return project(projection.clip_to_view(lines), projection, options.mm_per_unit);
 }
 
-void Observer::look_half(DrawnView& drawn, const laplacian_lines::View& view,
-                         const std::vector<laplacian_lines::LineSet>& lines,
-                         const SheetOptions& options, const Progress& progress) const {
+void ViewBuilder::add_half_section_lines(DrawnView& drawn, const laplacian_lines::View& view,
+                                         const std::vector<laplacian_lines::LineSet>& lines,
+                                         const SheetOptions& options,
+                                         const Progress& progress) const {
     const HalfSection half(surface_, drawn.frame);
     half.expect_vessel();
     drawn.note = half.words();
     const laplacian_lines::LineVisibility visibility(clip(surface_, half.behind()),
                                                      part(progress, 0, 0.3));
-    const SightLines inside = visibility.look(view, clip_each(lines, half.behind()),
-                                              sight_of(options), part(progress, 0.3, 0.6));
+    const ViewLines inside =
+        visibility.visible_lines(view, clip_each(lines, half.behind()), visibility_options(options),
+                                 part(progress, 0.3, 0.6));
     drawn.lines = draw(clip(inside, half.left()), drawn.frame, options);
     for (DrawnLine& line : drawn.lines)  // the section has the outline of this half
         if (line.line_class == LineClass::Outline) line.line_class = LineClass::Contour;
     half.draw(drawn, cuttable_, box_.center(), options.mm_per_unit);
-    const SightLines all =
-        visibility_->look(view, lines, sight_of(options), part(progress, 0.6, 1));
+    const ViewLines all = visibility_->visible_lines(view, lines, visibility_options(options),
+                                                     part(progress, 0.6, 1));
     const std::vector<DrawnLine> outside = draw(clip(all, half.right()), drawn.frame, options);
     drawn.lines.insert(drawn.lines.end(), outside.begin(), outside.end());
 }
 
-double Observer::check_outlines(DrawnView& drawn, const SheetOptions& options, double pixel) const {
+double ViewBuilder::check_outlines(DrawnView& drawn, const SheetOptions& options,
+                                   double pixel) const {
     // In perspective, part of the surface may be outside the picture or behind the eye.
     const auto& shows = options.style.shows;
     if (drawn.frame.is_half_section || drawn.frame.eye ||
@@ -270,24 +277,24 @@ double Observer::check_outlines(DrawnView& drawn, const SheetOptions& options, d
     const auto missing = border_without_outline(surface_, projection, options.mm_per_unit,
                                                 drawn.bounds, drawn.lines, pixel);
     if (missing.empty()) return 0;
-    laplacian_lines::SightOptions all = sight_of(options);
+    laplacian_lines::VisibilityOptions all = visibility_options(options);
     all.has_hidden = true;
-    const SightLines edges = visibility_->look(projection.view(), {}, all);
+    const ViewLines edges = visibility_->visible_lines(projection.view(), {}, all);
     for (DrawnLine& line : lines_at(missing, draw(edges, drawn.frame, options), pixel))
         drawn.lines.push_back(std::move(line));
     return pixel * double(missing.size());
 }
 
-DrawnView Observer::cut(const Section& section, const SheetOptions& options) {
+DrawnView ViewBuilder::section_view(const Section& section, const SheetOptions& options) {
     prepare_cuts();
-    DrawnView drawn = stand(frame_of_section(section, options.up), options);
+    DrawnView drawn = empty_view(frame_of_section(section, options.up), options);
     drawn.is_section = true;
     drawn.marks.clear();
     const Projection projection(drawn.frame, box_.center());
     std::vector<CutObject> objects;
     for (const CuttableMesh& object : cuttable_) {
         CutObject parts;
-        for (const Cut& cut : object.cut(section.axis, place_on_axis(section, box_))) {
+        for (const Cut& cut : object.cut(section.axis, position_on_axis(section, box_))) {
             parts.lines.push_back(project(cut, projection, options.mm_per_unit));
             if (parts.lines.back().closed) parts.wall.push_back(positions_of(parts.lines.back()));
         }

@@ -11,13 +11,13 @@
 #include "meshlab_host/filter.h"
 
 /// A copy in world coordinates: the layer may go while the progress bar runs the event loop.
-struct PlacedLayer {
+struct WorldLayer {
     QString name;
     laplacian_lines::TriangleMesh mesh;
     /// As the user computed it; none: the kernel follows from the drawing's scale.
     std::optional<laplacian_lines::Field> field;
 };
-using PlacedLayers = std::vector<PlacedLayer>;
+using WorldLayers = std::vector<WorldLayer>;
 
 struct LayerChoice {
     bool all_visible;  ///< or the current one alone
@@ -27,9 +27,9 @@ struct LayerChoice {
 /// The layers to draw, in the document's order, with their fields, by `share` of all work. Skips
 /// visible layers that have no faces or cannot be drawn; the log says why.
 /// @throws laplacian_lines::Error if none is left, Cancelled
-PlacedLayers place_layers(const LayerChoice& choice, const meshlab_host::FilterRun& run,
-                          double share);
+WorldLayers copy_layers(const LayerChoice& choice, const meshlab_host::FilterRun& run,
+                        double share);
 
-line_drawing::Objects objects_of(const PlacedLayers& layers);
+line_drawing::Objects objects_of(const WorldLayers& layers);
 /// "a.ply, b.ply"
-QString names_of(const PlacedLayers& layers);
+QString names_of(const WorldLayers& layers);

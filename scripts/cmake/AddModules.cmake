@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# add_room_library(NAME [SOURCES...]): a static library of these sources, or of all in src/, for the plugins.
-function(add_room_library name)
+# add_module_library(NAME [SOURCES...]): a static library of these sources, or of all in src/, for the plugins.
+function(add_module_library name)
   set(sources ${ARGN})
   if(NOT sources)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/*.cpp)

@@ -15,26 +15,26 @@ namespace line_drawing {
 
 /// Finds the lines of views of objects, which outlive it: first a view without lines, then
 /// prepare() for all sheets, then the lines of each view, then a check of its outlines.
-class Observer {
+class ViewBuilder {
 public:
     /// @throws laplacian_lines::Error(InvalidMesh)
-    explicit Observer(const Objects& objects);
+    explicit ViewBuilder(const Objects& objects);
 
-    Observer(const Observer&) = delete;
-    Observer& operator=(const Observer&) = delete;
+    ViewBuilder(const ViewBuilder&) = delete;
+    ViewBuilder& operator=(const ViewBuilder&) = delete;
 
     /// A view without its lines.
-    DrawnView stand(const ViewFrame& frame, const SheetOptions& options);
+    DrawnView empty_view(const ViewFrame& frame, const SheetOptions& options);
     /// A section, without the surface behind it.
-    DrawnView cut(const Section& section, const SheetOptions& options);
+    DrawnView section_view(const Section& section, const SheetOptions& options);
     laplacian_lines::View view_of(const DrawnView& drawn, const SheetOptions& options) const;
-    /// Prepares visibility; call before look(). @throws laplacian_lines::Error(Cancelled)
+    /// Prepares visibility; call before add_lines(). @throws laplacian_lines::Error(Cancelled)
     void prepare(const std::vector<SheetOptions>& sheets,
                  const laplacian_lines::Progress& progress);
     /// Adds the visible parts of mesh edges and of `lines`, those within faces by object.
     /// Thread-safe for different views, like the functions below.
-    void look(DrawnView& drawn, const std::vector<laplacian_lines::LineSet>& lines,
-              const SheetOptions& options, const laplacian_lines::Progress& progress) const;
+    void add_lines(DrawnView& drawn, const std::vector<laplacian_lines::LineSet>& lines,
+                   const SheetOptions& options, const laplacian_lines::Progress& progress) const;
     /// Compares outlines with the pixels that the surface covers, of this size in mm of the object,
     /// and adds missing lines. Returns their length in mm.
     double check_outlines(DrawnView& drawn, const SheetOptions& options, double pixel) const;
@@ -44,15 +44,16 @@ public:
     std::size_t triangle_count() const { return surface_.triangles.size(); }
 
 private:
-    using SightLines = std::vector<laplacian_lines::SightLine>;
+    using ViewLines = std::vector<laplacian_lines::ViewLine>;
 
-    void look_half(DrawnView& drawn, const laplacian_lines::View& view,
-                   const std::vector<laplacian_lines::LineSet>& lines, const SheetOptions& options,
-                   const laplacian_lines::Progress& progress) const;
+    void add_half_section_lines(DrawnView& drawn, const laplacian_lines::View& view,
+                                const std::vector<laplacian_lines::LineSet>& lines,
+                                const SheetOptions& options,
+                                const laplacian_lines::Progress& progress) const;
 
     void prepare_cuts();
     void add_silhouettes(DrawnView& drawn, const SheetOptions& options) const;
-    std::vector<DrawnLine> draw(const SightLines& lines, const ViewFrame& frame,
+    std::vector<DrawnLine> draw(const ViewLines& lines, const ViewFrame& frame,
                                 const SheetOptions& options) const;
 
     const Objects objects_;

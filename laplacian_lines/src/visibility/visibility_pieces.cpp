@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "visibility/sight_pieces.h"
+#include "visibility/visibility_pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,28 +31,28 @@ std::vector<Division> find_divisions(const std::vector<PictureCrossing>& crossin
     return divisions;
 }
 
-Eigen::Vector2f middle_of(const SightSegments& all, const SightPiece& piece) {
-    const SightSegment& segment = all.segments[piece.segment];
+Eigen::Vector2f middle_of(const VisibilitySegments& all, const VisibilityPiece& piece) {
+    const VisibilitySegment& segment = all.segments[piece.segment];
     const double t = (piece.shares[0] + piece.shares[1]) / 2;
-    const Vector3d &a = all.place(segment.points[0]), &b = all.place(segment.points[1]);
+    const Vector3d &a = all.projected(segment.points[0]), &b = all.projected(segment.points[1]);
     return (a + t * (b - a)).head<2>().cast<float>();
 }
 
-/// Decides about a piece by a ray through its middle; `hider`: see Picture::look().
-void decide(const SightSegments& all, SightPiece& piece, std::uint32_t& hider) {
-    const SightSegment& segment = all.segments[piece.segment];
-    const SightMesh& mesh = all.picture.mesh();
+/// Decides about a piece by a ray through its middle; `occluder`: see Picture::cast_ray().
+void decide(const VisibilitySegments& all, VisibilityPiece& piece, std::uint32_t& occluder) {
+    const VisibilitySegment& segment = all.segments[piece.segment];
+    const VisibilityMesh& mesh = all.picture.mesh();
     const double t = (piece.shares[0] + piece.shares[1]) / 2;
-    const double share =
-        all.picture.share_in_space(all.place(segment.points[0]), all.place(segment.points[1]), t);
+    const double share = all.picture.share_in_space(all.projected(segment.points[0]),
+                                                    all.projected(segment.points[1]), t);
     const Vector3d &a = all.position(segment.points[0]), &b = all.position(segment.points[1]);
-    const bool is_edge = segment.edge != SightSegment::kNone;
-    const Backing backing = all.picture.look(
+    const bool is_edge = segment.edge != VisibilitySegment::kNone;
+    const RayHits hits = all.picture.cast_ray(
         a + share * (b - a), is_edge ? mesh.sides_of(segment.edge) : nullptr,
-        is_edge ? mesh.side_count(segment.edge) : 0, reach_of(mesh, segment), hider);
-    piece.is_hidden = backing.is_hidden;
-    piece.gap = float(backing.gap);
-    piece.is_outline = !backing.is_hidden && std::isinf(backing.gap) && segment.divides &&
+        is_edge ? mesh.side_count(segment.edge) : 0, reach_of(mesh, segment), occluder);
+    piece.is_hidden = hits.is_hidden;
+    piece.gap = float(hits.gap);
+    piece.is_outline = !hits.is_hidden && std::isinf(hits.gap) && segment.divides &&
                        describe(segment.kind).is_outline;
 }
 
@@ -61,28 +61,29 @@ constexpr double kOnSurface = 1e-5;
 
 /// Whether a piece continues the one before as an uncrossed line on the surface. Not of ridges and
 /// valleys or with coarse coordinates: parts of these may be behind the surface.
-bool goes_on(const SightSegments& all, std::uint32_t first_crossing, const SightPiece& before,
-             const SightPiece& piece) {
-    const SightSegment &from = all.segments[before.segment], &to = all.segments[piece.segment];
-    return to.edge == SightSegment::kNone && from.line == to.line &&
+bool continues(const VisibilitySegments& all, std::uint32_t first_crossing,
+               const VisibilityPiece& before, const VisibilityPiece& piece) {
+    const VisibilitySegment &from = all.segments[before.segment], &to = all.segments[piece.segment];
+    return to.edge == VisibilitySegment::kNone && from.line == to.line &&
            reach_of(all.picture.mesh(), to) < kOnSurface && before.nodes[1] == piece.nodes[0] &&
            piece.nodes[0] < first_crossing;
 }
 
 /// The first pieces of runs that are visible or hidden as a whole, and the end of the last.
-std::vector<std::size_t> runs_of(const SightSegments& all, std::uint32_t first_crossing,
-                                 const std::vector<SightPiece>& pieces) {
+std::vector<std::size_t> runs_of(const VisibilitySegments& all, std::uint32_t first_crossing,
+                                 const std::vector<VisibilityPiece>& pieces) {
     std::vector<std::size_t> begins;
     for (std::size_t i = 0; i < pieces.size(); ++i)
-        if (i == 0 || !goes_on(all, first_crossing, pieces[i - 1], pieces[i])) begins.push_back(i);
+        if (i == 0 || !continues(all, first_crossing, pieces[i - 1], pieces[i]))
+            begins.push_back(i);
     begins.push_back(pieces.size());
     return begins;
 }
 
 /// Decides about each run by one piece of it.
-void decide_runs(const SightSegments& all, const std::vector<std::size_t>& runs,
-                 const StageProgress& stage, std::vector<SightPiece>& pieces) {
-    const auto chosen = [&](std::size_t run) -> SightPiece& {
+void decide_runs(const VisibilitySegments& all, const std::vector<std::size_t>& runs,
+                 const StageProgress& stage, std::vector<VisibilityPiece>& pieces) {
+    const auto chosen = [&](std::size_t run) -> VisibilityPiece& {
         return pieces[(runs[run] + runs[run + 1]) / 2];
     };
     Eigen::AlignedBox2f bounds;
@@ -91,14 +92,14 @@ void decide_runs(const SightSegments& all, const std::vector<std::size_t>& runs,
     // Neighbouring rays read the same memory.
     const std::vector<std::uint32_t> order = order_along_curve<2>(
         runs.size() - 1, bounds, [&](std::uint32_t run) { return middle_of(all, chosen(run)); });
-    struct Hider {
+    struct Occluder {
         std::uint32_t triangle = 0;
     };
-    parallel_for<Hider>(
+    parallel_for<Occluder>(
         order.size(), stage,
-        [&](std::size_t i, Hider& hider) {
+        [&](std::size_t i, Occluder& occluder) {
             const std::uint32_t run = order[i];
-            decide(all, chosen(run), hider.triangle);
+            decide(all, chosen(run), occluder.triangle);
             for (std::size_t k = runs[run]; k < runs[run + 1]; ++k)
                 pieces[k].is_hidden = chosen(run).is_hidden;
         },
@@ -107,27 +108,27 @@ void decide_runs(const SightSegments& all, const std::vector<std::size_t>& runs,
 
 }  // namespace
 
-std::uint32_t first_crossing_node(const SightSegments& all) {
+std::uint32_t first_crossing_node(const VisibilitySegments& all) {
     return std::uint32_t(all.picture.mesh().positions.size() + all.line_points.size());
 }
 
-double share_at(const SightSegments& all, const SightPiece& piece, int end) {
-    const SightSegment& segment = all.segments[piece.segment];
-    return all.picture.share_in_space(all.place(segment.points[0]), all.place(segment.points[1]),
-                                      piece.shares[end]);
+double share_at(const VisibilitySegments& all, const VisibilityPiece& piece, int end) {
+    const VisibilitySegment& segment = all.segments[piece.segment];
+    return all.picture.share_in_space(all.projected(segment.points[0]),
+                                      all.projected(segment.points[1]), piece.shares[end]);
 }
 
-std::vector<SightPiece> find_sight_pieces(const SightSegments& all,
-                                          const std::vector<PictureCrossing>& crossings,
-                                          const StageProgress& stage) {
+std::vector<VisibilityPiece> find_visibility_pieces(const VisibilitySegments& all,
+                                                    const std::vector<PictureCrossing>& crossings,
+                                                    const StageProgress& stage) {
     const std::vector<Division> divisions = find_divisions(crossings);
     auto division = divisions.begin();
     const std::uint32_t first_crossing = first_crossing_node(all);
-    std::vector<SightPiece> pieces;
+    std::vector<VisibilityPiece> pieces;
     for (std::uint32_t s = 0; s < all.segments.size(); ++s) {
-        const SightSegment& segment = all.segments[s];
+        const VisibilitySegment& segment = all.segments[s];
         if (!segment.is_drawn) continue;
-        SightPiece piece{s, {segment.points[0], 0}, {0, 0}, false, false, 0};
+        VisibilityPiece piece{s, {segment.points[0], 0}, {0, 0}, false, false, 0};
         const auto end_at = [&](std::uint32_t node, double share) {
             piece.nodes[1] = node;
             piece.shares[1] = share;

@@ -10,15 +10,15 @@
 #include "generators.h"
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/precompute.h"
-#include "sight_views.h"
+#include "tie_views.h"
 
 namespace {
 
 using namespace laplacian_lines;
-using namespace sight_views;
+using namespace tie_views;
 using Eigen::Vector3d;
 
-double largest_turn(const SightLine& line) {
+double largest_turn(const ViewLine& line) {
     double turn = 0;
     for (std::size_t i = 2; i < line.points.size(); ++i) {
         const Eigen::Vector3d a = line.points[i - 1].position - line.points[i - 2].position,
@@ -28,11 +28,12 @@ double largest_turn(const SightLine& line) {
     return turn;
 }
 
-TEST(SightSmoothing, MakesContoursInSpaceSmoothAndNotThoseInThePicture) {
+TEST(ViewLineSmoothing, MakesContoursInSpaceSmoothAndNotThoseInThePicture) {
     const LineVisibility visibility(test_meshes::sphere(4, 1, 0.2).mesh);
     const View view = View::orthographic({0.3, 0.2, 1});
     const auto turn_of = [&](double smoothing, bool in_picture) {
-        const auto lines = visibility.look(view, {}, {edge_kinds(), smoothing, true, in_picture});
+        const auto lines =
+            visibility.visible_lines(view, {}, {edge_kinds(), smoothing, true, in_picture});
         EXPECT_EQ(lines.size(), 1u);
         return largest_turn(lines.at(0));
     };
@@ -43,7 +44,7 @@ TEST(SightSmoothing, MakesContoursInSpaceSmoothAndNotThoseInThePicture) {
 }
 
 /// Even where contours run along them.
-TEST(SightSmoothing, LeavesEdgesOfTheForm) {
+TEST(ViewLineSmoothing, LeavesEdgesOfTheForm) {
     const TriangleMesh mesh = test_meshes::cube(6);
     const Field field = precompute(mesh);
     const LineExtractor extractor(mesh, field);
@@ -52,9 +53,9 @@ TEST(SightSmoothing, LeavesEdgesOfTheForm) {
     const View view = View::perspective({5, 4, 3});
     ExtractionScratch scratch;
     const LineSet lines = extract_on_surface(extractor, view, style, scratch);
-    const auto seen = LineVisibility(mesh).look(view, {lines}, {style.shows, 3});
+    const auto seen = LineVisibility(mesh).visible_lines(view, {lines}, {style.shows, 3});
     double length = 0;
-    for (const SightLine& line : seen)
+    for (const ViewLine& line : seen)
         for (std::size_t i = 0; i < line.points.size(); ++i) {
             const Eigen::Vector3d& p = line.points[i].position;
             int on_faces = 0;
@@ -67,24 +68,24 @@ TEST(SightSmoothing, LeavesEdgesOfTheForm) {
 }
 
 /// A smooth contour has no point where it merely passes behind another.
-TEST(SightSmoothing, DoesNotDependOnWhatPassesInThePicture) {
+TEST(ViewLineSmoothing, DoesNotDependOnWhatPassesInThePicture) {
     TriangleMesh mesh = test_meshes::sphere(3).mesh, small = test_meshes::sphere(2, 0.4).mesh;
     const View view = View::orthographic(Eigen::Vector3d::UnitZ());
-    const SightOptions options{edge_kinds(), 1.2, false};
-    const auto alone = LineVisibility(mesh).look(view, {}, options);
+    const VisibilityOptions options{edge_kinds(), 1.2, false};
+    const auto alone = LineVisibility(mesh).visible_lines(view, {}, options);
     for (Eigen::Vector3d& p : small.positions)
         p += Eigen::Vector3d(1, 0, -3);  // behind the outline
     test_meshes::append(mesh, small);
-    const auto both = LineVisibility(mesh).look(view, {}, options);
+    const auto both = LineVisibility(mesh).visible_lines(view, {}, options);
     ASSERT_EQ(alone.size(), 1u);
     const auto same =
-        std::find_if(both.begin(), both.end(), [](const SightLine& line) { return line.closed; });
+        std::find_if(both.begin(), both.end(), [](const ViewLine& line) { return line.closed; });
     ASSERT_NE(same, both.end());
     ASSERT_EQ(same->points.size(), alone[0].points.size());
-    for (const SightPoint& p : same->points)
+    for (const ViewLinePoint& p : same->points)
         EXPECT_TRUE(std::any_of(
             alone[0].points.begin(), alone[0].points.end(),
-            [&](const SightPoint& q) { return (p.position - q.position).norm() < 1e-9; }));
+            [&](const ViewLinePoint& q) { return (p.position - q.position).norm() < 1e-9; }));
 }
 
 const Vector3d kAside = {0.7, 0.6, 0.45};
@@ -100,7 +101,7 @@ TriangleMesh two_boxes(int cells, int other_cells, const Vector3d& offset,
     return mesh;
 }
 
-double length_of(const SightLine& line) {
+double length_of(const ViewLine& line) {
     double length = 0;
     for (std::size_t i = 1; i < line.points.size(); ++i)
         length += (line.points[i].position - line.points[i - 1].position).norm();
@@ -108,15 +109,15 @@ double length_of(const SightLine& line) {
 }
 
 /// Without extracted lines, creases are the cuts.
-std::vector<SightLine> cuts_of(const TriangleMesh& mesh, const View& view, bool has_hidden = true) {
+std::vector<ViewLine> cuts_of(const TriangleMesh& mesh, const View& view, bool has_hidden = true) {
     LineKindSet creases;
     creases[LineKind::Crease] = true;
-    return LineVisibility(mesh).look(view, {}, {creases, 1.2, has_hidden, false});
+    return LineVisibility(mesh).visible_lines(view, {}, {creases, 1.2, has_hidden, false});
 }
 
-double total_length(const std::vector<SightLine>& lines) {
+double total_length(const std::vector<ViewLine>& lines) {
     double length = 0;
-    for (const SightLine& line : lines)
+    for (const ViewLine& line : lines)
         length += length_of(line);
     return length;
 }
@@ -129,8 +130,8 @@ TEST(SurfaceCuts, OfTwoBoxesAreAHexagon) {
         SCOPED_TRACE(words(view));
         const auto cuts = cuts_of(two_boxes(1, 1, kAside), view);
         EXPECT_NEAR(total_length(cuts), kHexagon, 1e-6);
-        for (const SightLine& cut : cuts)
-            for (const SightPoint& p : cut.points) {
+        for (const ViewLine& cut : cuts)
+            for (const ViewLinePoint& p : cut.points) {
                 EXPECT_NEAR(p.position.maxCoeff(), 1, 1e-6);
                 EXPECT_NEAR((p.position - kAside).minCoeff(), -1, 1e-6);
             }
@@ -158,8 +159,8 @@ TEST(SurfaceCuts, AreHiddenAsOtherEdgesAre) {
                 1e-6);
     const auto seen = cuts_of(mesh, View::orthographic({1, -1.1, 1.2}), false);
     ASSERT_FALSE(seen.empty());
-    for (const SightLine& line : seen)
-        for (const SightPoint& p : line.points)
+    for (const ViewLine& line : seen)
+        for (const ViewLinePoint& p : line.points)
             EXPECT_NEAR(p.position.y(), -0.4, 1e-6);  // that side of the second box is in sight
 }
 

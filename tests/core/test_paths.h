@@ -5,8 +5,8 @@
 
 /// Where tests find files. In one source, so that all others compile to the same objects in every
 /// folder.
-namespace places {
+namespace test_paths {
 
 std::filesystem::path repository();
 
-}  // namespace places
+}  // namespace test_paths

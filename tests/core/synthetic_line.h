@@ -12,7 +12,7 @@ using namespace laplacian_lines;
 
 /// On [−1, 1]² from +z: ΔI = slope · (x − offset), ∇I = (gradient, 0, 0). The line x = offset has
 /// length 2 and ends at borders.
-struct MadeUp {
+struct Synthetic {
     double gradient = -1;  ///< negative: an edge; positive: a phantom
     double slope = 1;
     double offset = 0.013;

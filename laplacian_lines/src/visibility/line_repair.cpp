@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "system/chains.h"
-#include "visibility/sight_pieces.h"
+#include "visibility/visibility_pieces.h"
 
 namespace laplacian_lines {
 namespace {
@@ -8,23 +8,23 @@ namespace {
 constexpr double kShortestGap = 0.001, kShortestPart = 0.003;  // in D of the line's own surface
 
 /// Diagonal of the surface that a line is on, local.
-double own_diagonal(const SightSegments& all, const SightSegments::Line& of) {
+double own_diagonal(const VisibilitySegments& all, const VisibilitySegments::Line& of) {
     double sum = 0;
     for (std::uint32_t i = 1; i < of.line->count; ++i)
         sum += (all.position(of.first_point + i) - all.position(of.first_point + i - 1)).norm();
     return of.line->length > 0 ? sum / double(of.line->length) : 0;
 }
 
-double length_of(const SightSegments& all, const SightPiece& piece) {
-    const SightSegment& segment = all.segments[piece.segment];
+double length_of(const VisibilitySegments& all, const VisibilityPiece& piece) {
+    const VisibilitySegment& segment = all.segments[piece.segment];
     return (share_at(all, piece, 1) - share_at(all, piece, 0)) *
            (all.position(segment.points[1]) - all.position(segment.points[0])).norm();
 }
 
 /// Makes runs of hidden pieces of a line that are shorter than `shortest`, local, visible, or the
 /// other way round.
-void turn_short_runs(const SightSegments& all, bool hidden, double shortest, SightPiece* pieces,
-                     std::size_t count) {
+void flip_short_runs(const VisibilitySegments& all, bool hidden, double shortest,
+                     VisibilityPiece* pieces, std::size_t count) {
     const bool is_closed = pieces[0].nodes[0] == pieces[count - 1].nodes[1];
     const auto is_in = [&](std::size_t i) { return pieces[i].is_hidden == hidden; };
     for_each_run(count, is_closed, is_in, [&](std::size_t begin, std::size_t n) {
@@ -41,17 +41,17 @@ void turn_short_runs(const SightSegments& all, bool hidden, double shortest, Sig
 
 }  // namespace
 
-void mend_lines(const SightSegments& all, std::vector<SightPiece>& pieces) {
+void repair_lines(const VisibilitySegments& all, std::vector<VisibilityPiece>& pieces) {
     const auto line_of = [&](std::size_t i) { return all.segments[pieces[i].segment].line; };
     for (std::size_t begin = 0, end; begin < pieces.size(); begin = end) {
         end = begin + 1;
-        if (line_of(begin) == SightSegment::kNone) continue;
+        if (line_of(begin) == VisibilitySegment::kNone) continue;
         while (end < pieces.size() && line_of(end) == line_of(begin) &&
                pieces[end].nodes[0] == pieces[end - 1].nodes[1])
             ++end;
         const double diagonal = own_diagonal(all, all.lines[line_of(begin)]);
-        turn_short_runs(all, true, kShortestGap * diagonal, &pieces[begin], end - begin);
-        turn_short_runs(all, false, kShortestPart * diagonal, &pieces[begin], end - begin);
+        flip_short_runs(all, true, kShortestGap * diagonal, &pieces[begin], end - begin);
+        flip_short_runs(all, false, kShortestPart * diagonal, &pieces[begin], end - begin);
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "meshlab_host/placed_mesh.h"
+#include "meshlab_host/mesh_transform.h"
 
 #include <Eigen/LU>
 #include <utility>
@@ -27,7 +27,7 @@ ShapeOperator shape_operator_of(const Eigen::Matrix3f& m) {
 
 }  // namespace
 
-void place(const Eigen::Matrix4d& layer, TriangleMesh& mesh) {
+void apply_transform(const Eigen::Matrix4d& layer, TriangleMesh& mesh) {
     const Eigen::Matrix3d linear = layer.topLeftCorner<3, 3>();
     const double determinant = linear.determinant();
     if (determinant == 0 || !layer.allFinite())
@@ -40,7 +40,7 @@ void place(const Eigen::Matrix4d& layer, TriangleMesh& mesh) {
             std::swap(triangle[1], triangle[2]);
 }
 
-void place(const Similarity& similarity, Field& field) {
+void apply_transform(const Similarity& similarity, Field& field) {
     const Eigen::Matrix3f rotation = similarity.rotation.cast<float>();
     const auto factor = float(similarity.factor);
     for (Eigen::Vector3f& n : field.normals)
@@ -58,14 +58,14 @@ void place(const Similarity& similarity, Field& field) {
         *length *= similarity.factor;
 }
 
-void place(const Eigen::Matrix4d& layer, laplacian_lines::PrecomputeOptions options,
-           TriangleMesh& mesh, std::optional<Field>& field,
-           const laplacian_lines::Progress& progress) {
+void apply_transform(const Eigen::Matrix4d& layer, laplacian_lines::PrecomputeOptions options,
+                     TriangleMesh& mesh, std::optional<Field>& field,
+                     const laplacian_lines::Progress& progress) {
     if (layer.isIdentity(0)) return;
-    place(layer, mesh);
+    apply_transform(layer, mesh);
     if (!field) return;
     if (const std::optional<Similarity> similarity = similarity_of(layer))
-        return place(*similarity, *field);
+        return apply_transform(*similarity, *field);
     options.kernel_size *= mean_scale(layer);
     field = laplacian_lines::precompute(mesh, options, progress);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Meshes, fields and layers as they stand in the world.
-#include "placed_layers.h"
+#include "world_layers.h"
 
 #include <gtest/gtest.h>
 
@@ -12,13 +12,13 @@
 #include "laplacian_lines/precompute.h"
 #include "meshlab_host/field_attributes.h"
 #include "meshlab_host/mesh_conversion.h"
-#include "meshlab_host/placed_mesh.h"
+#include "meshlab_host/mesh_transform.h"
 
 namespace {
 
 using laplacian_lines::Field;
 using laplacian_lines::TriangleMesh;
-using meshlab_host::place;
+using meshlab_host::apply_transform;
 
 Eigen::Matrix4d moved(const Eigen::Matrix3d& linear) {
     Eigen::Matrix4d layer = Eigen::Matrix4d::Identity();
@@ -50,7 +50,7 @@ double difference(const Vectors& a, const Vectors& b) {
     return largest / most;
 }
 
-TEST(PlacedMesh, OnlyMovesTurnsAndSizesAreSimilarities) {
+TEST(MeshTransform, OnlyMovesTurnsAndSizesAreSimilarities) {
     EXPECT_TRUE(meshlab_host::similarity_of(moved(turned())));
     const std::optional<meshlab_host::Similarity> twice =
         meshlab_host::similarity_of(moved(2 * turned()));
@@ -63,14 +63,14 @@ TEST(PlacedMesh, OnlyMovesTurnsAndSizesAreSimilarities) {
     EXPECT_FALSE(meshlab_host::similarity_of(moved(Eigen::Matrix3d::Constant(std::nan("")))));
 }
 
-TEST(PlacedMesh, ItsFieldIsTheOneComputedThere) {
+TEST(MeshTransform, ItsFieldIsTheOneComputedThere) {
     TriangleMesh mesh = test_meshes::bumpy_sphere(4).mesh;
     laplacian_lines::PrecomputeOptions options;
     options.curvature_derivatives = true;
     Field field = laplacian_lines::precompute(mesh, options);
     const Eigen::Matrix4d layer = moved(3 * turned());
-    place(layer, mesh);
-    place(*meshlab_host::similarity_of(layer), field);
+    apply_transform(layer, mesh);
+    apply_transform(*meshlab_host::similarity_of(layer), field);
     EXPECT_TRUE(field.curvature_derivatives.empty());
     laplacian_lines::add_curvature_derivatives(mesh, field);
     const Field expected = laplacian_lines::precompute(mesh, options);
@@ -90,7 +90,7 @@ TEST(PlacedMesh, ItsFieldIsTheOneComputedThere) {
     EXPECT_LT(largest / most, 1e-2);
 }
 
-TEST(PlacedLayers, AreMovedWithTheirFields) {
+TEST(WorldLayers, AreMovedWithTheirFields) {
     MeshDocument document;
     CMeshO& mesh = add_layer(document, "sphere", test_meshes::bumpy_sphere(3).mesh);
     const laplacian_lines::PrecomputeOptions options;
@@ -100,38 +100,39 @@ TEST(PlacedLayers, AreMovedWithTheirFields) {
     const RichParameterList list;
     meshlab_host::FilterResults results;
     const auto placed = [&] {
-        PlacedLayers layers = place_layers(
+        WorldLayers layers = copy_layers(
             {false, false}, {document, list, nullptr, [](const QString&) {}, results}, 1);
         EXPECT_TRUE(layers.at(0).field);
         return layers.at(0);
     };
-    PlacedLayer expected = placed();
+    WorldLayer expected = placed();
     const Eigen::Matrix4d layer = moved(3 * turned());
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 4; ++column)
             mesh.Tr[row][column] = Scalarm(layer(row, column));
-    const PlacedLayer there = placed();
+    const WorldLayer there = placed();
     EXPECT_GT(difference(there.mesh.positions, expected.mesh.positions), 0.5);
-    place(layer, expected.mesh);
-    place(*meshlab_host::similarity_of(layer), *expected.field);
+    apply_transform(layer, expected.mesh);
+    apply_transform(*meshlab_host::similarity_of(layer), *expected.field);
     EXPECT_LT(difference(there.mesh.positions, expected.mesh.positions), 1e-5);
     EXPECT_LT(difference(there.field->normals, expected.field->normals), 1e-5);
     EXPECT_LT(difference(there.field->laplacian_normals, expected.field->laplacian_normals), 1e-5);
 }
 
-TEST(PlacedMesh, FacesKeepTheirOutside) {
+TEST(MeshTransform, FacesKeepTheirOutside) {
     for (const double side : {1., -1.}) {
         TriangleMesh mesh = test_meshes::bumpy_sphere(3).mesh;
         const double before = volume_of(mesh);
-        place(moved(Eigen::Vector3d(1, 2, side).asDiagonal()), mesh);
+        apply_transform(moved(Eigen::Vector3d(1, 2, side).asDiagonal()), mesh);
         EXPECT_NEAR(volume_of(mesh), 2 * before, 1e-6 * before);
     }
 }
 
-TEST(PlacedMesh, FlatTransformationsAreRefused) {
+TEST(MeshTransform, FlatTransformationsAreRefused) {
     TriangleMesh mesh = test_meshes::bumpy_sphere(2).mesh;
-    EXPECT_THROW(place(moved(Eigen::Vector3d(1, 1, 0).asDiagonal()), mesh), laplacian_lines::Error);
-    EXPECT_THROW(place(moved(Eigen::Matrix3d::Constant(std::nan(""))), mesh),
+    EXPECT_THROW(apply_transform(moved(Eigen::Vector3d(1, 1, 0).asDiagonal()), mesh),
+                 laplacian_lines::Error);
+    EXPECT_THROW(apply_transform(moved(Eigen::Matrix3d::Constant(std::nan(""))), mesh),
                  laplacian_lines::Error);
 }
 

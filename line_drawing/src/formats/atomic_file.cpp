@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "line_drawing/whole_file.h"
+#include "line_drawing/atomic_file.h"
 
 #include <fcntl.h>
 #ifdef _WIN32
@@ -104,7 +104,7 @@ private:
 };
 
 /// Follows links, also to a file that is not there yet.
-fs::path place_of(const std::string& file) {
+fs::path link_target(const std::string& file) {
     constexpr int most_links = 40;
     fs::path place = fs::u8path(file);
     std::error_code none;
@@ -116,11 +116,11 @@ fs::path place_of(const std::string& file) {
 }
 
 /// A temporary file beside the target, which replaces that once complete; else it is removed.
-class NewFile {
+class TemporaryFile {
 public:
-    explicit NewFile(const std::string& file)
+    explicit TemporaryFile(const std::string& file)
         : name_(file),
-          place_(place_of(file)),
+          place_(link_target(file)),
           beside_(fs::path(place_) += '.' + std::to_string(std::random_device()())),
           output_(file, beside_, O_CREAT | O_EXCL) {
         std::error_code error;
@@ -130,9 +130,9 @@ public:
         fs::permissions(beside_, before.permissions(), error);
         if (error) give_up(error);
     }
-    NewFile(const NewFile&) = delete;
-    NewFile& operator=(const NewFile&) = delete;
-    ~NewFile() {
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    ~TemporaryFile() {
         if (!is_complete_) remove();
     }
 
@@ -165,19 +165,19 @@ private:
 
 }  // namespace
 
-void write_whole(const std::string& file, const std::string& data) {
+void write_atomically(const std::string& file, const std::string& data) {
     refuse_null(file);
     if (const fs::path place = fs::u8path(file); is_special(place))
         OpenFile(file, place, 0).write(data);
     else
-        NewFile(file).complete(data);
+        TemporaryFile(file).complete(data);
 }
 
 void check_writable(const std::string& file) {
     refuse_null(file);
     const fs::path place = fs::u8path(file);
     if (!is_special(place)) {
-        const NewFile could_be(file);
+        const TemporaryFile could_be(file);
         return;
     }
     if (fs::is_directory(place)) refuse_to_write(file, "it is a folder");

@@ -6,16 +6,16 @@
 #include <vector>
 
 #include "mesh/box_tree.h"
-#include "visibility/sight_mesh.h"
+#include "visibility/visibility_mesh.h"
 
 namespace laplacian_lines {
 
 /// Finds vertices of a mesh, which outlives this, by position.
-class VertexPlaces {
+class VertexLookup {
 public:
     /// Holds the vertices for which is_wanted(vertex).
     template <class IsWanted>
-    VertexPlaces(const SightMesh& mesh, IsWanted is_wanted)
+    VertexLookup(const VisibilityMesh& mesh, IsWanted is_wanted)
         : positions_(mesh.positions), step_(1 / std::sqrt(double(positions_.size()))) {
         auto vertices =
             collect<std::uint32_t>(positions_.size(), [&](std::uint32_t v, auto& found) {

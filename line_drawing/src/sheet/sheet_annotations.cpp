@@ -94,7 +94,7 @@ double bar_length(double scale, double most) {
 }
 
 /// "5 cm" for 50.
-std::string length_in_words(double mm) {
+std::string length_text(double mm) {
     if (mm >= 1e6) return in_digits(mm / 1e6) + " km";
     if (mm >= 1000) return in_digits(mm / 1000) + " m";
     if (mm >= 10) return in_digits(mm / 10) + " cm";
@@ -119,7 +119,7 @@ double add_scale_bar(const Vector2d& corner, double scale, SheetLayer& layer) {
     const double base = top - 1;
     layer.texts.push_back({{left, base}, kNoteHeight, TextAnchor::Left, "0"});
     layer.texts.push_back(
-        {{corner.x(), base}, kNoteHeight, TextAnchor::Right, length_in_words(length)});
+        {{corner.x(), base}, kNoteHeight, TextAnchor::Right, length_text(length)});
     return left;
 }
 
@@ -146,8 +146,8 @@ void add_projection_symbol(const Vector2d& corner, Arrangement arrangement, Shee
 
 std::string note_of(const std::vector<DrawnView>& views, const SheetLayout& layout,
                     const Eigen::Vector3d& size, const SheetOptions& options, double kernel) {
-    Words parts = {layout.scale > 0 ? scale_in_words(layout.scale) : kNoScale, size_in_words(size)};
-    if (kernel > 0) parts.push_back("√h " + kernel_in_words(kernel) + " mm");
+    Words parts = {layout.scale > 0 ? scale_text(layout.scale) : kNoScale, size_text(size)};
+    if (kernel > 0) parts.push_back("√h " + kernel_text(kernel) + " mm");
     for (const DrawnView& view : views)
         if (!view.note.empty()) parts.push_back(view.note);
     if (!options.source.empty()) parts.push_back(options.source);
@@ -204,11 +204,11 @@ std::string elided(const std::string& text, double height, double width) {
     return in_utf8(letters.substr(0, fitting(letters, height, width - dots))) + "…";
 }
 
-SheetGroup draw_furniture(const std::vector<DrawnView>& views, const SheetLayout& layout,
-                          const Eigen::Vector3d& object_size, const SheetOptions& options,
-                          Sheet& sheet) {
+SheetGroup draw_annotations(const std::vector<DrawnView>& views, const SheetLayout& layout,
+                            const Eigen::Vector3d& object_size, const SheetOptions& options,
+                            Sheet& sheet) {
     SheetGroup group{"sheet", "Sheet", {}};
-    if (!options.has_furniture) return group;
+    if (!options.has_annotations) return group;
     if (views.size() > 1) group.layers.push_back(view_names(views, layout));
     const double bottom = layout.size.y() - kSheetMargin;
     double right = layout.size.x() - kSheetMargin;
