@@ -163,6 +163,7 @@ struct SegmentMemory {
     alignas(64) float sums[kPlaces][4];          ///< as in Strip
     std::uint16_t next[kPlaces];                 ///< segment, or kNone
     std::uint16_t first[kPlaces];                ///< segments that follow on none
+    bool is_written[kPlaces];                    ///< in a strip
     /// What ends at a crossing: a segment, or kNone.
     alignas(64) std::uint16_t ending[CrossingMemory::kPlaces];
     /// The place in ActiveTriangles by place in the batch, or kNone.

@@ -188,11 +188,11 @@ public:
     void write_all(const LineRules& rules) {
         const unsigned most_segments = rules.whole ? kSegmentsOfPiece : kBatchTriangles;
         const unsigned firsts = link();
-        __builtin_memset(written_, 0, count_);
+        __builtin_memset(segments_.is_written, 0, count_);
         for (unsigned i = 0; i < firsts; ++i)
             write(segments_.first[i], most_segments);
         for (unsigned i = 0; i < count_; ++i)
-            if (!written_[i]) write_loop(i, most_segments);
+            if (!segments_.is_written[i]) write_loop(i, most_segments);
     }
 
 private:
@@ -252,7 +252,7 @@ private:
             for (; next != SegmentMemory::kNone && left > 0; next = segments_.next[next], --left) {
                 write_point(segments_.triangle[next], segments_.slope[next], point++);
                 sums += load4(segments_.sums[next]);
-                written_[next] = true;
+                segments_.is_written[next] = true;
                 last = next;
             }
             strip.edges[1] = next == SegmentMemory::kNone
@@ -285,7 +285,6 @@ private:
     SegmentMemory& segments_;
     const unsigned count_;
     StripOutput& output_;
-    bool written_[kBatchTriangles];  ///< by segment
 };
 
 /// Appends the strips of a kind in a batch.
