@@ -82,7 +82,7 @@ public:
 
     void build(const StageProgress& stage) {
         stage.report(0);
-        plain_ = find_plain_triangles(mesh_);
+        featureless_ = find_featureless_triangles(mesh_);
         const CornerTable sides(mesh_.triangles, mesh_.size());
         data_.flat_share = flat_faces(mesh_, sides).share;
         partition_ = partition(mesh_, sides);
@@ -247,7 +247,8 @@ private:
         };
         mark(cluster.convex, all_corners(convex_));
         mark(cluster.convex_around, all_corners(convex_around_));
-        mark(cluster.plain, [&](unsigned i) { return plain_[partition_.order[first + i]]; });
+        mark(cluster.featureless,
+             [&](unsigned i) { return featureless_[partition_.order[first + i]]; });
     }
 
     void write_vertices(std::size_t c, const Values& values, unsigned char* memory) const {
@@ -286,7 +287,7 @@ private:
     const Field& field_;
     const double squared_scale_;  // h_e of the kernel of derivatives
     ExtractorData& data_;
-    std::vector<std::uint8_t> plain_;                   // by triangle of the mesh
+    std::vector<std::uint8_t> featureless_;             // by triangle of the mesh
     std::vector<std::uint8_t> convex_, convex_around_;  // by vertex
     Partition partition_;
     ClusterLinks links_;

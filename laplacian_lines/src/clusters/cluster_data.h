@@ -86,8 +86,8 @@ struct Cluster {
     /// their neighbours.
     std::uint64_t convex[kClusterTriangles / kMaskGroup];
     std::uint64_t convex_around[kClusterTriangles / kMaskGroup];
-    /// A bit for each triangle: of find_plain_triangles(), see LineRules::leave_out_plain.
-    std::uint64_t plain[kClusterTriangles / kMaskGroup];
+    /// A bit for each triangle: of find_featureless_triangles(), see LineRules::drop_featureless.
+    std::uint64_t featureless[kClusterTriangles / kMaskGroup];
 };
 
 /// Offsets of the parts, in bytes.

@@ -17,7 +17,7 @@ constexpr double kFarthestContour = 0.006;
 constexpr double kLargestSmoothTriangle = 0.03;  // longest edge, D
 constexpr double kLargestRoughTriangle = 0.06;   // whose contours are smooth on rough meshes, D
 // Of the area. Measured meshes may have a few large triangles, where holes were filled.
-constexpr double kCoarseShare = 0.25, kCoarseShareOfMade = 0.02;
+constexpr double kCoarseShare = 0.25, kCoarseShareOfCad = 0.02;
 constexpr double kSquaredCosineOfCad = 0.9698;  // of 10°
 
 constexpr double kFlat = 0.9999984769132877;   // least cosine: of 0.1°
@@ -33,7 +33,7 @@ double longest_squared(const PreparedMesh& mesh, const Triangle& t) {
 }
 
 /// Whether the zero of n·l in a triangle may be far from the horizon of the triangles.
-bool is_coarse(const PreparedMesh& mesh, const Field& field, const Triangle& t, bool made) {
+bool is_coarse(const PreparedMesh& mesh, const Field& field, const Triangle& t, bool is_cad) {
     const double squared_size = longest_squared(mesh, t);
     const auto is_larger = [&](double size) { return squared_size > size * size; };
     if (is_rough(field.report)) return is_larger(kLargestRoughTriangle);
@@ -46,7 +46,7 @@ bool is_coarse(const PreparedMesh& mesh, const Field& field, const Triangle& t, 
     }
     return is_larger(kLargestSmoothTriangle) ||
            squared_size * (1 - least) > kFarthestContour * kFarthestContour ||
-           (made && least < kSquaredCosineOfCad);
+           (is_cad && least < kSquaredCosineOfCad);
 }
 
 /// By vertex, the least cosine between the planes of the triangles around it and of the first one,
@@ -78,23 +78,23 @@ bool follows_edges(const PreparedMesh& mesh, bool is_cad, const Field& field) {
     const double coarse = sum_of(mesh.triangles.size(), [&](std::size_t i) {
         return is_coarse(mesh, field, mesh.triangles[i], is_cad) ? area(i) : 0;
     });
-    return coarse > (is_cad && !is_rough(field.report) ? kCoarseShareOfMade : kCoarseShare) * all;
+    return coarse > (is_cad && !is_rough(field.report) ? kCoarseShareOfCad : kCoarseShare) * all;
 }
 
-std::vector<std::uint8_t> find_plain_triangles(const PreparedMesh& mesh) {
-    std::vector<std::uint8_t> plain(mesh.triangles.size(), 0);
+std::vector<std::uint8_t> find_featureless_triangles(const PreparedMesh& mesh) {
+    std::vector<std::uint8_t> featureless(mesh.triangles.size(), 0);
     const std::vector<double> cosines = least_cosines(mesh);
     const auto is_sharp = [&](double cosine) { return cosine <= kSharp; };
-    if (std::none_of(cosines.begin(), cosines.end(), is_sharp)) return plain;
-    for_each_element(plain.size(), [&](std::size_t i) {
+    if (std::none_of(cosines.begin(), cosines.end(), is_sharp)) return featureless;
+    for_each_element(featureless.size(), [&](std::size_t i) {
         const Triangle& t = mesh.triangles[i];
         const auto is_flat = [&](std::uint32_t v) { return cosines[v] >= kFlat; };
         const auto is_clear = [&](std::uint32_t v) { return is_flat(v) || is_sharp(cosines[v]); };
-        plain[i] =
+        featureless[i] =
             std::all_of(t.begin(), t.end(), is_flat) ||
             (std::all_of(t.begin(), t.end(), is_clear) && longest_squared(mesh, t) > kLong * kLong);
     });
-    return plain;
+    return featureless;
 }
 
 }  // namespace laplacian_lines

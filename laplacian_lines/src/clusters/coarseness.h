@@ -16,16 +16,15 @@ bool is_rough(const MeshReport& report);
 /// triangle the zero of n·l lies near the horizon of the triangles: a contour's triangle is seen at
 /// most as steeply as its plane leans away from the normals n of its corners, so the two are at
 /// most its size times the sine of that angle apart in the picture. In a coarse one that is too
-/// far, or it is large. On rough meshes only large ones count. Of a mesh that was made, with flat
-/// faces of several triangles, all count that lean by 10° and more, however small, and 2 % are
+/// far, or it is large. On rough meshes only large ones count. On a CAD mesh, with flat faces of
+/// several triangles, all count that lean by 10° and more, however small, and 2 % are
 /// enough. The number of threads does not matter.
 bool follows_edges(const PreparedMesh& mesh, bool is_cad, const Field& field);
 
-/// Which triangles are plain, 1 or 0 for each: where the surface has no form of its own that a
-/// Laplacian line could tell of, so that what is found there comes from beyond an edge, over which
-/// the kernel reaches. Those that are flat to their whole ring, within .1°, or so long that flat
-/// corners and sharp ones, at 40° or more, are all there is of the form. None on a mesh without a
-/// sharp corner.
-std::vector<std::uint8_t> find_plain_triangles(const PreparedMesh& mesh);
+/// Which triangles have no feature of their own, 1 or 0 for each: Laplacian lines found there come
+/// from beyond an edge, over which the kernel reaches. Those that are flat to their whole ring,
+/// within .1°, or so long that flat corners and sharp ones, at 40° or more, are all there is of the
+/// form. None on a mesh without a sharp corner.
+std::vector<std::uint8_t> find_featureless_triangles(const PreparedMesh& mesh);
 
 }  // namespace laplacian_lines

@@ -64,7 +64,7 @@ private:
     /// Keeps the line if the rules accept it.
     void end_line(TracedLines::Line& line) {
         Polyline& p = line.polyline;
-        // fields that are made up have lines of hardly any length
+        // synthetic fields have lines of hardly any length
         p.slope = p.length > 0 ? std::min(p.slope / p.length, kLargestSlope) : 0;
         line.end_count = std::uint32_t(traced_.ends.size()) - line.first_end;
         if (!accepts(rules_, p)) {

@@ -11,7 +11,7 @@ namespace laplacian_lines {
 namespace {
 
 constexpr double kAveraging = 1.5, kAveragingUncut = 2;  // √h, to both sides
-constexpr double kLeastKernel = 1e-6;                    // D; of fields that are made up
+constexpr double kLeastKernel = 1e-6;                    // D; of synthetic fields
 
 double finite_or_zero(float v) {
     return std::isfinite(v) ? double(v) : 0;

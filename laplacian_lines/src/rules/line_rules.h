@@ -23,11 +23,11 @@ struct LineRules {
     /// well.
     bool leave_out_convex = false;
     bool cut_by_convex() const { return !whole || !concave_only || least_concavity > -1; }
-    /// Skip triangles without a form of their own, see find_plain_triangles().
-    bool leave_out_plain = false;
+    /// Skip triangles without a form of their own, see find_featureless_triangles().
+    bool drop_featureless = false;
     /// Skip triangles with n·l < 0 at all corners, where contour_clearance leaves no opacity.
     bool leave_out_away = false;
-    bool use_slope = false;  ///< false: no slopes are computed or tested, nor tell the width
+    bool use_slope = false;  ///< false: no slopes are computed or tested, nor decide the width
     float segment_slope = 0, line_slope = 0, full_slope = 1;
     float least_strength = kAnything;
     float least_length = kAnything;  ///< D

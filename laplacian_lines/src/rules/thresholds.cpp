@@ -56,7 +56,7 @@ LineRules contour_rules(const LineStyle& s) {
 /// What kinds that are judged by slopes have in common: all but the kinds' own thresholds.
 LineRules rules_by_slope(const LineStyle& s) {
     LineRules rules;
-    rules.leave_out_plain = s.shows[LineKind::Crease];
+    rules.drop_featureless = s.shows[LineKind::Crease];
     rules.use_slope = true;
     rules.whole = s.whole_lines;
     rules.least_length = Thresholds(s).shortest_line;
@@ -76,7 +76,7 @@ void set_slopes(float least, float full, LineRules& rules) {
 }
 
 /// L. Zhang, Y. He, X. Xie, W. Chen, "Laplacian Lines for Real-Time Shape Illustration"; what
-/// differs from the paper is told at the members of LineStyle.
+/// differs from the paper is said at the members of LineStyle.
 LineRules laplacian_rules(const LineStyle& s, bool light_at_eye) {
     const Thresholds thresholds(s);
     LineRules rules = rules_by_slope(s);

@@ -76,7 +76,7 @@ public:
             }
         std::vector<DrawnLine> result;
         std::vector<bool> is_done(lines_.size(), false);
-        for (std::size_t e = 0; e < ends_.size(); ++e)  // from ends where nothing goes on
+        for (std::size_t e = 0; e < ends_.size(); ++e)  // from ends that nothing continues
             if (partners_[e] == none && !is_done[ends_[e].line])
                 result.push_back(follow(e, is_done));
         for (std::size_t e = 0; e < ends_.size(); ++e)  // rings
@@ -283,7 +283,7 @@ private:
     DrawnLines all_;
     std::vector<double> lengths_;
     std::vector<End> ends_;
-    std::vector<std::size_t> partners_;  // by end: the one that goes on there
+    std::vector<std::size_t> partners_;  // by end: the one that continues it
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Whether a line may not move: an edge of the form, or a contour, which has been eased.
+/// Whether a line may not move: an edge of the form, or a contour, which has been smoothed.
 bool is_edge(const DrawnLine& line) {
     return line.line_class < LineClass::Inner && is_fixed(line);
 }

@@ -63,8 +63,8 @@ struct MetEnd {
 };
 
 /// Extends ends of inner lines that are drawn in full and head for another line to that line, over
-/// at most three pens: arrises meet each other and outlines. Returns these ends, and those that met
-/// a line before.
+/// at most three pens: edges of features meet each other and outlines. Returns these ends, and
+/// those that met a line before.
 std::vector<MetEnd> join_ends(std::vector<DrawnLine>& lines, double pen);
 
 /// Moves ends with the line they met, if that has moved by less than a pen.
@@ -72,7 +72,7 @@ void follow_met(const std::vector<MetEnd>& ends, double pen, std::vector<DrawnLi
 
 /// Smooths the triangles' edges out of contours of curved surfaces: between exact points lines bend
 /// as little as they can within `reach`, on the sheet, and lines that end at them follow.
-/// Afterwards all points of contours are eased.
+/// Afterwards all points of contours count as smoothed.
 void smooth_contours(std::vector<DrawnLine>& lines, double reach);
 
 /// The same for inner lines as drawn; what continues them stays.

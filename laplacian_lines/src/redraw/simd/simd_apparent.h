@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Apparent ridges: where the view-dependent curvature q1 is largest along the direction r that
 // belongs to it (T. Judd, F. Durand, E. Adelson, "Apparent Ridges for Line Drawing", 2007). r has
-// no sign and neither has the derivative D of q1 along it, so that zeros of D are told by D r at
+// no sign and neither has the derivative D of q1 along it, so that zeros of D are found by D r at
 // both ends of an edge, and lines get their direction triangle by triangle.
 #pragma once
 
@@ -166,7 +166,7 @@ private:
                 c(corners + 2 * kMaskGroup, signs);
             std::uint64_t unwanted = (a(kWeak) & b(kWeak) & c(kWeak)) |  //
                                      a(kUnseen) | b(kUnseen) | c(kUnseen);
-            if (rules.leave_out_plain) unwanted |= cluster_.plain[g];
+            if (rules.drop_featureless) unwanted |= cluster_.featureless[g];
             for (std::uint64_t wanted = ~unwanted & existing(g); wanted; wanted &= wanted - 1)
                 listed_[count_++] =
                     std::uint8_t(g * kMaskGroup + unsigned(__builtin_ctzll(wanted)));

@@ -51,7 +51,7 @@ struct FacingKind {
         const std::uint64_t* convex =
             rules.cut_by_convex() ? cluster.convex : cluster.convex_around;
         return (rules.leave_out_convex ? convex[group] : 0) |
-               (rules.leave_out_plain ? cluster.plain[group] : 0);
+               (rules.drop_featureless ? cluster.featureless[group] : 0);
     }
 };
 

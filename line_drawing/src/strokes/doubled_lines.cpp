@@ -23,7 +23,7 @@ int rank_of(LineClass line_class) {
     return line_class == LineClass::Section ? -1 : int(line_class);
 }
 
-/// Removes jogs, where a line doubles back and then goes on: they would be knots in its stroke.
+/// Removes jogs, where a line doubles back and then continues: they would be knots in its stroke.
 class JogRemoval {
 public:
     JogRemoval(const DrawnLine& line, double reach)
@@ -158,7 +158,7 @@ bool lies_on(const DrawnLines& there, const DrawnLine& line, double reach) {
     });
 }
 
-/// Joined ends may have made lines equal: keeps the longest.
+/// Lines may be equal once ends are joined: keeps the longest.
 std::vector<DrawnLine> without_equal(const std::vector<DrawnLine>& lines, double reach) {
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < lines.size(); ++i)
@@ -261,13 +261,13 @@ std::vector<DrawnLine> without_doubles(std::vector<DrawnLine> lines, double reac
         }
         parts.clear();
         if (lines[i].points.size() > 1) LineCutter(lines[i], there, reach).append_rest(parts);
-        const auto slight = std::stable_partition(
+        const auto dropped = std::stable_partition(
             parts.begin(), parts.end(),
             [&](const DrawnLine& part) { return !adds_nothing(part, there, reach); });
-        for (auto part = parts.begin(); part != slight; ++part)
+        for (auto part = parts.begin(); part != dropped; ++part)
             there.add(positions_of(*part));
-        rest.insert(rest.end(), parts.begin(), slight);
-        left_out.insert(left_out.end(), slight, parts.end());
+        rest.insert(rest.end(), parts.begin(), dropped);
+        left_out.insert(left_out.end(), dropped, parts.end());
     }
     join_loose_ends(rest, left_out, reach);
     return without_equal(rest, reach);

@@ -129,9 +129,9 @@ private:
     std::vector<DrawnPoint> even_;
 };
 
-class Easing {
+class ContourSmoother {
 public:
-    explicit Easing(double reach) : reach_(reach) {}
+    explicit ContourSmoother(double reach) : reach_(reach) {}
 
     /// Those of a class.
     void smooth(LineClass line_class, std::vector<DrawnLine>& lines) {
@@ -160,7 +160,7 @@ private:
     void smooth(DrawnLine& line, Moved& moved) const {
         const std::vector<DrawnPoint>& points = line.points;
         if (line.closed && !begin_at_exact(line)) {
-            line.points = eased_stretch(points, true, moved);
+            line.points = smoothed_stretch(points, true, moved);
             return;
         }
         std::vector<DrawnPoint> smoothed;
@@ -169,7 +169,7 @@ private:
             }
             const std::vector<DrawnPoint> stretch(points.begin() + std::ptrdiff_t(begin),
                                                   points.begin() + std::ptrdiff_t(end) + 1);
-            const auto part = eased_stretch(stretch, false, moved);
+            const auto part = smoothed_stretch(stretch, false, moved);
             smoothed.insert(smoothed.end(), part.begin() + (smoothed.empty() ? 0 : 1), part.end());
         }
         line.points = std::move(smoothed);
@@ -186,8 +186,8 @@ private:
         return true;
     }
 
-    std::vector<DrawnPoint> eased_stretch(const std::vector<DrawnPoint>& points, bool closed,
-                                          Moved& moved) const {
+    std::vector<DrawnPoint> smoothed_stretch(const std::vector<DrawnPoint>& points, bool closed,
+                                             Moved& moved) const {
         if (points.size() < 3) return points;
         EvenLine even(points, kStepShare * reach_);
         if (!even.is_long()) return points;
@@ -209,11 +209,11 @@ bool is_contour(const DrawnLine& line) {
 }  // namespace
 
 void smooth_contours(std::vector<DrawnLine>& lines, double reach) {
-    Easing easing(reach);
+    ContourSmoother smoother(reach);
     for (const LineClass c : {LineClass::Outline, LineClass::Contour}) {
-        easing.smooth(c, lines);
+        smoother.smooth(c, lines);
         for (DrawnLine& line : lines)
-            easing.follow(line);
+            smoother.follow(line);
     }
     for (DrawnLine& line : lines)
         if (is_contour(line))
