@@ -2,6 +2,7 @@
 #include "world_layers.h"
 
 #include <QStringList>
+#include <algorithm>
 
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/precompute.h"

@@ -22,9 +22,10 @@ bool is_rough(const MeshReport& report);
 bool follows_edges(const PreparedMesh& mesh, bool is_cad, const Field& field);
 
 /// Which triangles have no feature of their own, 1 or 0 for each: Laplacian lines found there come
-/// from beyond an edge, over which the kernel reaches. Those that are flat to their whole ring,
-/// within .1°, or so long that flat corners and sharp ones, at 40° or more, are all there is of the
-/// form. None on a mesh without a sharp corner.
+/// from beyond an edge, over which the kernel reaches. Those whose corners are all flat, or so long
+/// that flat corners and sharp ones are all there is of the form. At a flat corner every triangle
+/// is within .1° of one of them, at a sharp one some is at 40° or more. None on a mesh without a
+/// sharp corner.
 std::vector<std::uint8_t> find_featureless_triangles(const PreparedMesh& mesh);
 
 }  // namespace laplacian_lines

@@ -39,8 +39,9 @@ inline std::uint32_t last_side(std::uint32_t side) {
 }
 
 /// Gathers the sides 0 <= i < count that lie on the same edge_of(i), between `vertices`: calls
-/// visit(begin, end, found) with the sides of each edge, ascending. Edges are visited in ascending
-/// order, if on several threads, each of which has a part of what is returned.
+/// visit(begin, end, found) with the sides of each edge, ascending. Threads share the edges by
+/// their first vertices; each part visits its edges in ascending order and fills one element of the
+/// result, whose elements are in the order of the edges.
 template <class Found, class EdgeOf, class Visit>
 std::vector<Found> visit_edges(std::size_t count, std::size_t vertices, EdgeOf edge_of,
                                Visit visit) {
