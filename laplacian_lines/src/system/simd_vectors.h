@@ -35,11 +35,6 @@ typedef std::int32_t Ints __attribute__((vector_size(4 * kLanes)));  ///< masks:
 static inline Floats load(const float* p) {  // aligned
     return *reinterpret_cast<const Floats*>(p);
 }
-static inline Floats load_anywhere(const float* p) {
-    Floats v;
-    __builtin_memcpy(&v, p, sizeof v);
-    return v;
-}
 static inline void store(float* p, Floats v) {  // aligned
     *reinterpret_cast<Floats*>(p) = v;
 }

@@ -243,9 +243,9 @@ std::vector<DrawnLine> without_fragments(std::vector<DrawnLine> lines, double sh
         const auto met_at = [&](const DrawnPoint& end) {
             return all.nearest_on(end.position, i, kMeeting * pen);
         };
-        const auto first = met_at(points.front()), last = met_at(points.back());
-        const bool is_contour = is_curved_contour(lines[i]);
         const auto stays = [&] {
+            const auto first = met_at(points.front()), last = met_at(points.back());
+            const bool is_contour = is_curved_contour(lines[i]);
             if (is_contour && lengths[i] < kShortestStroke * pen)
                 return first && last && first->line != last->line &&
                        !is_inner(lines[first->line]) && !is_inner(lines[last->line]);
