@@ -28,7 +28,7 @@ bool is_corner(const Surface& surface, std::uint32_t side, std::uint32_t end, fl
     std::uint32_t at = side;
     for (int i = 0; i < kMostTriangles; ++i) {
         // the other side there
-        at = surface.begin(at) == end ? last_side(at) : next_side(at);
+        at = surface.begin(at) == end ? previous_side(at) : next_side(at);
         if (!surface.has_neighbour(at)) return false;
         const float angle = std::abs(signed_angle(surface, at));
         edges += angle >= least;

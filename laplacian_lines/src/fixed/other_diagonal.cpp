@@ -58,16 +58,17 @@ Quad quad_at(const Surface& surface, std::uint32_t side) {
     const std::uint32_t other = surface.across(side);
     const float sign = surface.sign_across(side);
     // of triangles of one orientation, one side of the edge goes from p to q, the other from q to p
-    const std::uint32_t at_p = sign > 0 ? next_side(other) : last_side(other),
-                        at_q = sign > 0 ? last_side(other) : next_side(other);
-    return {surface.position(surface.begin(side)),
-            surface.position(surface.end(side)),
-            surface.position(surface.opposite(side)),
-            surface.position(surface.opposite(other)),
-            surface.facet(side / 3).normal,
-            sign * surface.beyond(side).normal,
-            {normal_beyond(surface, next_side(side), 1), normal_beyond(surface, last_side(side), 1),
-             normal_beyond(surface, at_p, sign), normal_beyond(surface, at_q, sign)}};
+    const std::uint32_t at_p = sign > 0 ? next_side(other) : previous_side(other),
+                        at_q = sign > 0 ? previous_side(other) : next_side(other);
+    return {
+        surface.position(surface.begin(side)),
+        surface.position(surface.end(side)),
+        surface.position(surface.opposite(side)),
+        surface.position(surface.opposite(other)),
+        surface.facet(side / 3).normal,
+        sign * surface.beyond(side).normal,
+        {normal_beyond(surface, next_side(side), 1), normal_beyond(surface, previous_side(side), 1),
+         normal_beyond(surface, at_p, sign), normal_beyond(surface, at_q, sign)}};
 }
 
 /// The bend across the sides qr, rp, ps, sq, given the normal of the triangle at each.

@@ -60,7 +60,7 @@ std::uint32_t beyond(const Surface& surface, std::uint32_t side) {
 SurfacePoint leave(const Surface& surface, const Plane& plane, std::uint32_t& at) {
     const auto height = [&](std::uint32_t v) { return plane.height(surface.record(v)); };
     const bool is_by_next = (height(surface.opposite(at)) < 0) == (height(surface.begin(at)) < 0);
-    at = is_by_next ? next_side(at) : last_side(at);
+    at = is_by_next ? next_side(at) : previous_side(at);
     const float begin = height(surface.begin(at)), fall = begin - height(surface.end(at));
     const float t = fall != 0 ? std::clamp(begin / fall, 0.f, 1.f) : 0.5f;
     return between(surface.record(surface.begin(at)), surface.record(surface.end(at)), t);

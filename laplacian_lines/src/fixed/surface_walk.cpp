@@ -49,10 +49,10 @@ SmallAngle boundary_angle(float angle) {
 /// The direction, away from a side, of the one other side that is a boundary; zero if none or both
 /// are.
 Vector3f along_boundary(const Surface& surface, std::uint32_t side, const SmallAngle& least) {
-    const std::uint32_t next = next_side(side), last = last_side(side);
+    const std::uint32_t next = next_side(side), previous = previous_side(side);
     const bool is_next = is_boundary(surface, next, least);
-    if (is_next == is_boundary(surface, last, least)) return Vector3f::Zero();
-    return is_next ? direction_of(surface, next) : Vector3f(-direction_of(surface, last));
+    if (is_next == is_boundary(surface, previous, least)) return Vector3f::Zero();
+    return is_next ? direction_of(surface, next) : Vector3f(-direction_of(surface, previous));
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ SurfaceWalk::SurfaceWalk(const Surface& surface, std::uint32_t from, float lean)
 
 template <class Is>
 bool SurfaceWalk::has_side(const Is& is) const {
-    for (const std::uint32_t side : {next_side(at_), last_side(at_)})
+    for (const std::uint32_t side : {next_side(at_), previous_side(at_)})
         if (surface_.has_neighbour(side) && is(side)) return true;
     return false;
 }
@@ -130,7 +130,7 @@ void SurfaceWalk::cross() {
 
 bool SurfaceWalk::find_exit(std::uint32_t boundary) {
     float nearest = std::numeric_limits<float>::max();
-    for (const std::uint32_t side : {next_side(at_), last_side(at_)}) {
+    for (const std::uint32_t side : {next_side(at_), previous_side(at_)}) {
         if (side == boundary) continue;
         const Vector3f along = direction_of(surface_, side);
         const Vector3f out = along.cross(surface_.facet(at_ / 3).normal);

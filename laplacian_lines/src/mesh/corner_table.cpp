@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/corner_table.h"
 
+#include <numeric>
+
 #include "system/large_array.h"
 
 namespace laplacian_lines {
