@@ -27,7 +27,9 @@ WorldLayer copy_layer(const MeshModel& layer, const FilterRun& run, const Progre
                                                            source, run.say, progress);
         if (!meshlab_host::similarity_of(transform))
             run.say(
-                "The layer's transformation stretches it: its lines are recomputed as it stands.");
+                QString("%1 is stretched by its transformation: its lines are computed anew for "
+                        "the stretched shape.")
+                    .arg(result.name));
     }
     meshlab_host::apply_transform(transform, source.options, result.mesh, result.field, progress);
     if (!result.field)
