@@ -1,15 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// MeshLab calls a decoration for one layer after the other:
+//  start()  when it is switched on, and again whenever a parameter changes: prepares the layer's
+//           lines, unless the cache has them.
+//  draw()   in each redraw of a view:
+//           1. Parameters out of range stay as they were.
+//           2. Lines are prepared anew if the layer's geometry is no longer theirs.
+//           3. The redraw's first layer asks for the printed drawing of the whole view. If the view
+//              is at rest and it is ready, it is shown, and the lines of no layer are.
+//           4. Else the lines that this camera sees are found and drawn over all surfaces.
+//           5. Why a layer has no lines is logged once, and stands in the view all the time.
+//  end()    releases what it kept for the layer, or for the view if that is gone.
 #include "decorate_laplacian_lines.h"
 
 #include <QPainter>
 #include <stdexcept>
 
-#include "decoration_settings.h"
 #include "laplacian_lines/version.h"
 #include "meshlab_host/camera.h"
 #include "meshlab_host/documents.h"
 #include "meshlab_host/drawn_style.h"
 #include "meshlab_host/layer_drawing.h"
+#include "redraw_mark.h"
 #include "view_properties.h"
 
 using line_renderer::RedrawClock;
@@ -31,7 +42,9 @@ meshlab_host::DecorationDescription description() {
 laplacian_lines::View view_of(const CameraMatrices& camera, const Eigen::Matrix4d& layer,
                               const DecorationParameters& chosen) {
     auto view = meshlab_host::view_from_matrices(camera.modelview, camera.projection, layer);
-    if (!view) throw std::runtime_error("The layer's transformation cannot be inverted.");
+    if (!view)
+        throw std::runtime_error(
+            "The layer's transformation cannot be inverted. Reset it, or freeze it.");
     if (const auto azimuth = light_azimuth(chosen))
         view->light = meshlab_host::direction_in_mesh(meshlab_host::towards_light(*azimuth),
                                                       camera.modelview, layer);
@@ -81,22 +94,9 @@ double device_pixel_ratio(QPainter* painter) {
     return painter && painter->device() ? painter->device()->devicePixelRatioF() : 1;
 }
 
-/// A layer as MeshLab draws it for this camera; the caller fills in the rest.
-LayerInView layer_in_view(const MeshModel& mesh, const PreparedLines& lines,
-                          const CameraMatrices& camera) {
-    const Eigen::Matrix4d transform = meshlab_host::layer_transform(mesh.cm);
-    const meshlab_host::LayerDrawing shown = meshlab_host::layer_drawing(mesh);
-    LayerInView layer;
-    layer.mesh = mesh.id();
-    layer.modelview = camera.modelview;
-    layer.surface = {lines.surface, transform, lines.diagonal, shown.culls_back_faces,
-                     shown.has_faces && shown.mark_pixels == 0};
-    layer.placement.to_eye = camera.modelview * transform;
-    layer.placement.projection = camera.projection;
-    layer.placement.diagonal = lines.diagonal;
-    layer.placement.depth_bias_edge = lines.depth_bias_edge;
-    layer.placement.mark_pixels = shown.mark_pixels;
-    return layer;
+/// Whether a layer is empty or has edges alone: no lines, and nothing that hides any.
+bool draws_nothing(const MeshModel& layer) {
+    return layer.cm.fn == 0 && (layer.cm.vn == 0 || layer.cm.en > 0);
 }
 
 /// Whether derivatives have not been computed yet.
@@ -156,7 +156,7 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
         if (!lines || (needs_derivatives && is_without_derivatives(*lines)))
             lines = find_or_prepare_lines(mesh, view, needs_derivatives);
         if (lines->failure.isEmpty())
-            text = draw_lines(mesh, lines, valid.chosen, view, painter, clock);
+            text = draw_lines(mesh, *lines, valid.chosen, view, painter, clock);
         const QString& missing_reason = needs_derivatives ? lines->missing_reason : QString();
         complaints += QStringList{lines->failure, missing_reason};
     } catch (const std::exception& error) {
@@ -249,8 +249,35 @@ PreparedLinesPointer DecorateLaplacianLines::current_lines(const MeshModel& mesh
     return lines;
 }
 
+LayerInView DecorateLaplacianLines::layer_in_view(const MeshModel& mesh, const PreparedLines& lines,
+                                                  const CameraMatrices& camera, int tiles,
+                                                  GLArea* view, QPainter* painter) const {
+    const Eigen::Matrix4d transform = meshlab_host::layer_transform(mesh.cm);
+    const meshlab_host::LayerDrawing shown = meshlab_host::layer_drawing(mesh);
+    LayerInView layer;
+    layer.view = view;
+    layer.widget = widget_of(painter);
+    layer.mesh = mesh.id();
+    layer.is_first = begins_redraw(painter);
+    const MeshDocument* document = meshlab_host::document_of(mesh);
+    if (layer.is_first && document) layer.shown = meshlab_host::layer_ids(*document, true);
+    layer.modelview = camera.modelview;
+    layer.surface = {lines.surface, transform, lines.diagonal, shown.culls_back_faces,
+                     shown.has_faces && shown.mark_pixels == 0};
+    layer.placement.to_eye = camera.modelview * transform;
+    layer.placement.projection = camera.projection;
+    layer.placement.diagonal = lines.diagonal;
+    layer.placement.depth_bias_edge = lines.depth_bias_edge;
+    layer.placement.mark_pixels = shown.mark_pixels;
+    layer.placement.pixel_scale = device_pixel_ratio(painter) * line_scale(painter) * tiles;
+    if (tiles > 1)
+        layer.placement.picture_to_clip =
+            tiles_.camera().projection * tiles_.camera().modelview * transform;
+    return layer;
+}
+
 std::shared_ptr<PrintedScene> DecorateLaplacianLines::printed_scene(const MeshModel& mesh,
-                                                                    GLArea* view) const {
+                                                                    ViewLayers::View view) const {
     std::vector<const MeshModel*> layers = {&mesh};
     if (const MeshDocument* document = meshlab_host::document_of(mesh))
         layers = meshlab_host::layers_of(*document);
@@ -258,9 +285,7 @@ std::shared_ptr<PrintedScene> DecorateLaplacianLines::printed_scene(const MeshMo
     PreparedLinesPointer first;
     std::size_t triangles = 0;
     for (const MeshModel* layer : layers) {
-        const bool has_nothing = layer->cm.vn == 0, has_edges_alone = layer->cm.en > 0;
-        if (!layer->isVisible() || (layer->cm.fn == 0 && (has_nothing || has_edges_alone)))
-            continue;
+        if (!layer->isVisible() || draws_nothing(*layer)) continue;
         const PreparedLinesPointer lines = cache_.at(view, layer->id());
         if (!lines || !lines->printable) return nullptr;
         triangles += lines->printable->mesh.triangles.size();
@@ -275,12 +300,12 @@ std::shared_ptr<PrintedScene> DecorateLaplacianLines::printed_scene(const MeshMo
     return first->scene;
 }
 
-std::optional<PrintedView> DecorateLaplacianLines::printed_view(const MeshModel& mesh, GLArea* view,
+std::optional<PrintedView> DecorateLaplacianLines::printed_view(const MeshModel& mesh,
                                                                 const DecorationParameters& chosen,
                                                                 const LayerInView& layer,
                                                                 int tiles) const {
     if (chosen.at_rest != AtRest::PrintedDrawing) return std::nullopt;
-    const std::shared_ptr<PrintedScene> scene = printed_scene(mesh, view);
+    const std::shared_ptr<PrintedScene> scene = printed_scene(mesh, layer.view);
     if (!scene) return std::nullopt;
     Eigen::Matrix4d projection = layer.placement.projection;
     if (tiles > 1) {
@@ -296,59 +321,56 @@ std::optional<PrintedView> DecorateLaplacianLines::printed_view(const MeshModel&
     return PrintedView{scene, to_eye, projection, *window, chosen};
 }
 
-Print DecorateLaplacianLines::request_print(const MeshModel& mesh, GLArea* view,
+Print DecorateLaplacianLines::request_print(const MeshModel& mesh,
                                             const DecorationParameters& chosen,
                                             const LayerInView& layer, int tiles) {
-    const auto printed = printed_view(mesh, view, chosen, layer, tiles);
+    const auto printed = printed_view(mesh, chosen, layer, tiles);
     if (!printed) {
-        prints_.forget(view);
+        prints_.forget(layer.view);
         return {};
     }
     const bool waits = snapshot_dialog_.has_closed() || tiles > 1 ||
                        (layer.widget && layer.widget->property(waits_property).toBool());
-    Print print = prints_.request(view, layer.widget, *printed, waits);
+    Print print = prints_.request(layer.view, layer.widget, *printed, waits);
     if (!print.missing_reason.isEmpty())
         say(QString("%1: %2: %3").arg(kTitle, mesh.label(), print.missing_reason));
     return print;
 }
 
-QString DecorateLaplacianLines::draw_lines(const MeshModel& mesh, const PreparedLinesPointer& lines,
+QString DecorateLaplacianLines::draw_lines(const MeshModel& mesh, PreparedLines& lines,
                                            const DecorationParameters& chosen, GLArea* view,
                                            QPainter* painter, RedrawClock& clock) {
     shows_statistics_ = chosen.show_statistics;
     const CameraMatrices camera = meshlab_host::camera_from_gl();
     const laplacian_lines::View eye =
         view_of(camera, meshlab_host::layer_transform(mesh.cm), chosen);
-    LayerInView layer = layer_in_view(mesh, *lines, camera);
-    layer.view = view;
-    layer.widget = widget_of(painter);
     const int tiles = int(tiles_.scale(camera));
-    layer.placement.pixel_scale = device_pixel_ratio(painter) * line_scale(painter) * tiles;
-    if (tiles > 1)
-        layer.placement.picture_to_clip = tiles_.camera().projection * tiles_.camera().modelview *
-                                          meshlab_host::layer_transform(mesh.cm);
-    layer.is_first = begins_redraw(painter);
-    const MeshDocument* document = meshlab_host::document_of(mesh);
-    if (layer.is_first && document) layer.shown = meshlab_host::layer_ids(*document, true);
+    const LayerInView layer = layer_in_view(mesh, lines, camera, tiles, view, painter);
     if (layer.is_first)
-        print_ = request_print(mesh, view, chosen, layer, tiles);
+        print_ = request_print(mesh, chosen, layer, tiles);
     else if (print_.picture && layer.widget && printed_scene(mesh, view) != prints_.scene_of(view))
         layer.widget->update();  // this layer's lines have been prepared meanwhile
-    if (print_.picture) {
-        drawing_.draw(layer, *print_.picture, corner_of(camera.projection, tiles), chosen);
-        return chosen.show_statistics
-                   ? QString("printed drawing, %1 ms").arg(print_.milliseconds, 0, 'f', 0)
-                   : QString();
-    }
+    if (!print_.picture) return draw_live_lines(lines, eye, layer, chosen, clock);
+    drawing_.draw(layer, *print_.picture, corner_of(camera.projection, tiles), chosen);
+    return chosen.show_statistics
+               ? QString("printed drawing, %1 ms").arg(print_.milliseconds, 0, 'f', 0)
+               : QString();
+}
+
+QString DecorateLaplacianLines::draw_live_lines(PreparedLines& lines,
+                                                const laplacian_lines::View& eye,
+                                                const LayerInView& layer,
+                                                const DecorationParameters& chosen,
+                                                RedrawClock& clock) {
     clock.count(RedrawClock::DrawCalls);
-    lines->extractor->extract(eye, chosen.style, scratch_, lines_);
+    lines.extractor->extract(eye, chosen.style, scratch_, lines_);
     clock.count(RedrawClock::Extraction);
     drawing_.draw(layer, lines_, chosen, clock);
-    if (!lines->first_redraw) lines->first_redraw = clock.own_milliseconds();
+    if (!lines.first_redraw) lines.first_redraw = clock.own_milliseconds();
     if (!chosen.show_statistics) return {};
     glFinish();
     clock.count(RedrawClock::Drawing);
-    return statistics(lines_, clock, lines->preparation + *lines->first_redraw);
+    return statistics(lines_, clock, lines.preparation + *lines.first_redraw);
 }
 
 void DecorateLaplacianLines::log_refusal(const MeshModel& mesh, const GLLogStream* log,

@@ -36,32 +36,45 @@ protected:
 private:
     /// Values out of range stay as they were last time.
     ValidParameters valid_parameters(const RichParameterList& parameters);
-    /// Lines of the mesh's present geometry, found or prepared and assigned to the view.
+    /// Lines of the mesh's present geometry, from the cache or prepared now; the view's from now
+    /// on.
     PreparedLinesPointer find_or_prepare_lines(MeshModel& mesh, GLArea* view,
                                                bool needs_derivatives);
     /// The view's lines if they still belong to the mesh, as far as that is checked while the
     /// camera moves; else null.
     PreparedLinesPointer current_lines(const MeshModel& mesh, GLArea* view, QPainter* painter);
-    /// Returns text for the view, if any. Exceptions have the reason why lines cannot be drawn.
-    QString draw_lines(const MeshModel& mesh, const PreparedLinesPointer& lines,
+    /// Keeps lines in the cache while the mesh and its document live and memory allows.
+    void keep(const MeshModel& mesh, const PreparedLinesPointer& lines);
+
+    /// Draws the layer's lines, or the printed drawing of all layers. Returns text for the view, if
+    /// any. `tiles` in these functions: in a row of the picture of which this redraw draws one.
+    /// @throws std::exception with the reason why lines cannot be drawn
+    QString draw_lines(const MeshModel& mesh, PreparedLines& lines,
                        const DecorationParameters& chosen, GLArea* view, QPainter* painter,
                        line_renderer::RedrawClock& clock);
-    /// All visible layers of the mesh's document, if all of them have lines; else null.
-    std::shared_ptr<PrintedScene> printed_scene(const MeshModel& mesh, GLArea* view) const;
+    QString draw_live_lines(PreparedLines& lines, const laplacian_lines::View& eye,
+                            const LayerInView& layer, const DecorationParameters& chosen,
+                            line_renderer::RedrawClock& clock);
+    /// To be called once a redraw for each layer, since it marks the redraw.
+    LayerInView layer_in_view(const MeshModel& mesh, const PreparedLines& lines,
+                              const meshlab_host::CameraMatrices& camera, int tiles, GLArea* view,
+                              QPainter* painter) const;
+
+    /// The printed drawing, if it is ready, else an empty one. Logs why there cannot be one.
+    Print request_print(const MeshModel& mesh, const DecorationParameters& chosen,
+                        const LayerInView& layer, int tiles);
     /// The view as it would be printed, if that is wanted and possible.
-    std::optional<PrintedView> printed_view(const MeshModel& mesh, GLArea* view,
+    std::optional<PrintedView> printed_view(const MeshModel& mesh,
                                             const DecorationParameters& chosen,
                                             const LayerInView& layer, int tiles) const;
-    /// Empty if there is none yet, or cannot be; logs the reason.
-    Print request_print(const MeshModel& mesh, GLArea* view, const DecorationParameters& chosen,
-                        const LayerInView& layer, int tiles);
-    /// Logs why a mesh has no lines, once, or remembers that it has; `log` is its document's.
-    void log_refusal(const MeshModel& mesh, const GLLogStream* log, const QString& refusal);
+    /// All visible layers of the mesh's document, if all of them have lines; else null.
+    std::shared_ptr<PrintedScene> printed_scene(const MeshModel& mesh, ViewLayers::View view) const;
 
+    /// Logs why a mesh has no lines, unless that was its last message as well; empty: it has some.
+    /// `log` is its document's.
+    void log_refusal(const MeshModel& mesh, const GLLogStream* log, const QString& refusal);
     /// Logs once, for each layer that was added after the lines of others, why it has none.
     void log_new_layers(const MeshModel& mesh, GLArea* view);
-    /// Caches lines while the mesh and its document live and memory allows.
-    void keep(const MeshModel& mesh, const PreparedLinesPointer& lines);
 
     DecorationParameters last_good_;
     LineCache cache_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "decoration_parameters.h"
 
+#include <QSettings>
 #include <algorithm>
 
 #include "laplacian_lines/error.h"
@@ -188,4 +189,18 @@ meshlab_host::DrawnStyle drawn_style_of(const DecorationParameters& parameters) 
                    drawn.colors.begin(),
                    [](const line_renderer::LineLook& look) { return look.color.rgb(); });
     return drawn;
+}
+
+QString forget_other_settings() {
+    RichParameterList known;
+    list_decoration_parameters(known);
+    QSettings settings;
+    QStringList names;
+    for (const QString& key : settings.allKeys()) {
+        if (!key.startsWith(kDecorationPrefix) || known.hasParameter(key)) continue;
+        names << key.mid(kDecorationPrefix.size());
+        settings.remove(key);
+    }
+    return names.isEmpty() ? QString()
+                           : "Settings of another version are ignored: " + names.join(", ") + '.';
 }

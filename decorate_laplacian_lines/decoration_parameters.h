@@ -75,3 +75,7 @@ ValidParameters read_valid_parameters(const RichParameterList& list,
 
 /// The part that filters can use.
 meshlab_host::DrawnStyle drawn_style_of(const DecorationParameters& parameters);
+
+/// Removes settings that MeshLab has kept for parameters of another version. Returns a message,
+/// empty if there were none.
+QString forget_other_settings();

@@ -40,8 +40,8 @@ PreparedLinesPointer prepare_lines(const CMeshO& mesh, const QString& mesh_name,
                                    const meshlab_host::FieldSource& source,
                                    const std::function<void(const QString&)>& say);
 
-/// Adds derivatives, or sets `lack` and leaves the lines alone. Throws only std::bad_alloc, at the
-/// very end.
+/// Adds derivatives, or sets `missing_reason` and leaves the lines alone. Throws only
+/// std::bad_alloc, at the very end.
 void add_derivatives(PreparedLines& lines, const CMeshO& mesh, const QString& mesh_name,
                      const meshlab_host::FieldSource& source,
                      const std::function<void(const QString&)>& say);

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QObject>
-#include <QPointer>
-#include <QWidget>
-#include <map>
 #include <vector>
 
 #include "decoration_parameters.h"
@@ -13,57 +9,15 @@
 #include "line_renderer/picture_renderer.h"
 #include "line_renderer/surface_depth.h"
 #include "line_renderer/surface_renderer.h"
+#include "view_layers.h"
 
-/// The layers whose lines a view shows. MeshLab redraws them one by one, while each can hide lines
-/// of any other: layers that follow are assumed to be as in the last redraw, and if they have
-/// changed, the view is drawn again. GUI thread only.
-class ViewLayers {
-public:
-    using View = const void*;  ///< a name, never followed
-
-    /// The redraw of a view, shown by `widget` or null, reaches a mesh, the first if `is_first`.
-    /// Returns whether the layer is as in the last redraw.
-    bool note(View view, QWidget* widget, int mesh, const line_renderer::SurfaceLayer& layer,
-              bool is_first);
-    /// Only these layers, ascending, are still there and shown.
-    void keep_only(View view, const std::vector<int>& shown);
-    /// As far as they are known. Valid until the next call.
-    const std::vector<line_renderer::SurfaceLayer>& of(View view);
-    /// Whether the depth buffer has the faces of all layers, and nothing else of them.
-    bool are_in_depth_buffer(View view) const;
-    void forget(View view);
-
-private:
-    struct Entry {
-        line_renderer::SurfaceLayer layer;
-        bool is_drawn = false;  ///< this redraw has reached it
-    };
-    struct Redraw {
-        std::map<int, Entry> layers;  ///< by mesh
-        QPointer<QWidget> widget;
-        bool is_over = true;
-        bool has_mismatch = false;  ///< a layer had changed after lines were drawn
-    };
-
-    static bool are_in_depth_buffer(const Redraw& redraw);
-    static bool drop_missing(Redraw& redraw);
-    static void begin(Redraw& redraw);
-
-    void end_redraws();
-
-    std::map<View, Redraw> views_;
-    std::vector<line_renderer::SurfaceLayer> listed_;
-    bool end_is_due_ = false;
-    QObject receiver_;  ///< of the end of redraws; destroyed first
-};
-
-/// A layer in a redraw of a view.
+/// A layer that a redraw of a view has reached.
 struct LayerInView {
     ViewLayers::View view = nullptr;
     QWidget* widget = nullptr;  ///< shows the view, or null
-    int mesh = 0;
+    int mesh = 0;               ///< its id in the document
     bool is_first = true;       ///< of the redraw
-    std::vector<int> shown;     ///< meshes of the document, ascending, if it is the first
+    std::vector<int> shown;     ///< if it is the first: ids of all layers in sight, ascending
     Eigen::Matrix4d modelview;  ///< of the camera: world to eye coordinates
     line_renderer::SurfaceLayer surface;
     line_renderer::LinePlacement placement;  ///< without depths

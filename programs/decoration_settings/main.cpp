@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "decoration_settings.h"
+#include "driver_commands.h"
 
 namespace {
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The decoration's parameters as MeshLab gets them, and their values read back.
+// The decoration's parameters as MeshLab gets them, their values read back, and those that other
+// versions have kept.
 #include "decoration_parameters.h"
 
 #include <gtest/gtest.h>
 
+#include <QCoreApplication>
+#include <QSettings>
+#include <QTemporaryDir>
 #include <QTextDocument>
 #include <cmath>
 #include <set>
@@ -151,6 +155,19 @@ TEST(DecorationParameters, OutOfRangeStayAsTheyWereAndAreNamed) {
     }
     EXPECT_EQ(read_valid_parameters(list).chosen.line_width, DecorationParameters().line_width)
         << "there was no last time";
+}
+
+TEST(DecorationParameters, OfOtherVersionsAreNamedOnce) {
+    const QTemporaryDir folder;
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder.path());
+    QCoreApplication::setOrganizationName("laplacian-lines-test");
+    QSettings settings;
+    for (const char* key : {"detail", "fading", "tones"})
+        settings.setValue(kDecorationPrefix + key, "<Param/>");
+    settings.setValue("MeshLab::Decoration::Fading", "<Param/>");
+    EXPECT_EQ(forget_other_settings(), "Settings of another version are ignored: fading, tones.");
+    EXPECT_EQ(forget_other_settings(), "");
+    EXPECT_EQ(settings.allKeys().size(), 2);
 }
 
 }  // namespace

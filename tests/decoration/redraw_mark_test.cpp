@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each redraw of a view begins once, whatever is painted in between.
-#include "view_properties.h"
+#include "redraw_mark.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view_drawing.h"
+#include "view_layers.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ protected:
     int redraw(const std::vector<SurfaceLayer>& layers) {
         int expected = 0;
         for (std::size_t i = 0; i < layers.size(); ++i)
-            expected += layers_.note(view_, &widget_, int(i), layers[i], i == 0);
+            expected += layers_.reach(view_, &widget_, int(i), layers[i], i == 0);
         return expected;
     }
 
@@ -46,11 +46,11 @@ protected:
 TEST_F(ViewLayersTest, OfOneViewAreNotThoseOfAnother) {
     const int other = 0;
     redraw({layer(1), layer(2)});
-    EXPECT_TRUE(layers_.of(&other).empty());
-    EXPECT_FALSE(layers_.note(&other, nullptr, 0, layer(1), true));
+    EXPECT_TRUE(layers_.in(&other).empty());
+    EXPECT_FALSE(layers_.reach(&other, nullptr, 0, layer(1), true));
     layers_.forget(view_);
-    EXPECT_TRUE(layers_.of(view_).empty());
-    EXPECT_EQ(layers_.of(&other).size(), 1u);
+    EXPECT_TRUE(layers_.in(view_).empty());
+    EXPECT_EQ(layers_.in(&other).size(), 1u);
 }
 
 TEST_F(ViewLayersTest, AreInTheDepthBufferOnlyTogether) {
@@ -80,11 +80,11 @@ TEST_F(ViewLayersTest, DoNotRedrawWhatTheDepthBufferHides) {
 
 TEST_F(ViewLayersTest, MayOutliveTheWidget) {
     auto widget = std::make_unique<QWidget>();
-    layers_.note(view_, widget.get(), 0, layer(1), true);
-    layers_.note(view_, widget.get(), 1, layer(2), false);
+    layers_.reach(view_, widget.get(), 0, layer(1), true);
+    layers_.reach(view_, widget.get(), 1, layer(2), false);
     widget.reset();
     wait(50);
-    EXPECT_EQ(layers_.of(view_).size(), 2u);
+    EXPECT_EQ(layers_.in(view_).size(), 2u);
 }
 
 }  // namespace

@@ -4,12 +4,8 @@
 #include <QStringList>
 #include <vector>
 
-/// Removes settings that MeshLab has kept for parameters of another version. Returns a message,
-/// empty if there were none.
-QString forget_other_settings();
-
 /// The GUI driver's commands for settings "NAME=VALUE". NAME is a parameter's label or key in any
-/// case; VALUE a color, "#202020" or a name, or what meshlab_host::value_in() takes. Thread-safe.
+/// case; VALUE a color, "#202020" or a name, or what meshlab_host::number_in() takes. Thread-safe.
 /// @throws laplacian_lines::Error(InvalidOption) with the names or values allowed
 QStringList setting_commands(const QStringList& settings);
 

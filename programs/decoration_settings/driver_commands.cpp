@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "decoration_settings.h"
-
-#include <QSettings>
+#include "driver_commands.h"
 
 #include "decoration_parameters.h"
 #include "laplacian_lines/error.h"
 #include "meshlab_host/parameters.h"
+
+using laplacian_lines::LineKindDescription;
+using laplacian_lines::LineKindSet;
 
 namespace {
 
@@ -33,34 +34,6 @@ QString setting_command(const QString& text) {
                            meshlab_host::text_of(meshlab_host::number_in(value, row), row));
     refuse(QString("The decoration has no parameter \"%1\".").arg(name));
 }
-
-}  // namespace
-
-QString forget_other_settings() {
-    RichParameterList known;
-    list_decoration_parameters(known);
-    QSettings settings;
-    QStringList names;
-    for (const QString& key : settings.allKeys()) {
-        if (!key.startsWith(kDecorationPrefix) || known.hasParameter(key)) continue;
-        names << key.mid(kDecorationPrefix.size());
-        settings.remove(key);
-    }
-    return names.isEmpty() ? QString()
-                           : "Settings of another version are ignored: " + names.join(", ") + '.';
-}
-
-QStringList setting_commands(const QStringList& settings) {
-    QStringList commands;
-    for (const QString& setting : settings)
-        commands << setting_command(setting);
-    return commands;
-}
-
-namespace {
-
-using laplacian_lines::LineKindDescription;
-using laplacian_lines::LineKindSet;
 
 const QString kAll = "all";
 
@@ -102,6 +75,13 @@ ComparedPicture picture_of(const QString& name) {
 }
 
 }  // namespace
+
+QStringList setting_commands(const QStringList& settings) {
+    QStringList commands;
+    for (const QString& setting : settings)
+        commands << setting_command(setting);
+    return commands;
+}
 
 std::vector<ComparedPicture> compared_pictures(const QString& names) {
     QStringList wanted;

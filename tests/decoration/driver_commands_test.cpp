@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of the decoration as people write them, and as other versions have kept them.
-#include "decoration_settings.h"
+// Parameters of the decoration, and kinds to compare, as people write them.
+#include "driver_commands.h"
 
 #include <gtest/gtest.h>
-
-#include <QCoreApplication>
-#include <QSettings>
-#include <QTemporaryDir>
 
 #include "decoration_parameters.h"
 #include "laplacian_lines/error.h"
@@ -67,19 +63,6 @@ TEST(DecorationSettings, ThatAreUnknownNameAllOthers) {
                 read(text).find(("(" + parameter.name().section('_', 1) + "): ").toStdString()),
                 std::string::npos)
                 << parameter.name().toStdString();
-}
-
-TEST(DecorationSettings, OfOtherVersionsAreNamedOnce) {
-    const QTemporaryDir folder;
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder.path());
-    QCoreApplication::setOrganizationName("laplacian-lines-test");
-    QSettings settings;
-    for (const char* key : {"detail", "fading", "tones"})
-        settings.setValue(kDecorationPrefix + key, "<Param/>");
-    settings.setValue("MeshLab::Decoration::Fading", "<Param/>");
-    EXPECT_EQ(forget_other_settings(), "Settings of another version are ignored: fading, tones.");
-    EXPECT_EQ(forget_other_settings(), "");
-    EXPECT_EQ(settings.allKeys().size(), 2);
 }
 
 TEST(ComparedPictures, OfAllAreTheMixturesButThatOfAllKinds) {
