@@ -1,158 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The sums over all vertices q, for every vertex p, that Eq. 2 of the paper needs,
+//     Σ m w exp(−|q − p|²/4h) times 1, n_q and q − p,   w = facing_weight(n_q·n_p) or 1,
+// on a grid, slab by slab along its longest axis:
+//  1. Spread: each mass times monomials of its normal (normal_moments.h) goes to the 4 x 4 x 4
+//  nodes
+//     around it, by cubic B-splines.
+//  2. Convolve the nodes along x, y and z (grid_convolution.h) with the filter of spline_kernel.h.
+//  3. Interpolate at each vertex, and take the gradient, from 5 x 5 x 5 nodes, by quartic
+//  B-splines.
+//  4. Contract these moments with the normal at p, which gives the first two sums; the third is 2h
+//     times the gradient of the first.
 #include "sums/gaussian_sums.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "sums/grid_convolution.h"
+#include "sums/normal_moments.h"
+#include "sums/spline_kernel.h"
 #include "sums/summation_cost.h"
 #include "system/simd_sets.h"
 
 namespace laplacian_lines {
 namespace {
-
-// ---- moments ----
-//
-// Σ m w(n_q·n_p) and Σ m w(n_q·n_p) n_q for any n_p, w = 1 or facing_weight(), from moments Σ m
-// n_x^i n_y^j n_z^k that do not depend on p. The first group of 16 has degrees 0, 1 and 3; the
-// second has degree 4, from which degree 2 follows since |n| = 1.
-
-// Moments of degree 3, from the fifth of the first group on.
-enum { kXXX, kYYY, kZZZ, kXXY, kXXZ, kXYY, kYYZ, kXZZ, kYZZ, kXYZ, kCubic };
-constexpr double kEntries[kCubic] = {1, 1, 1, 3, 3, 3, 3, 3, 3, 6};
-constexpr int kFirstCubic = 4;
-
-// Order of the moments of degree 4, the second group.
-enum {
-    kXXXX,
-    kYYYY,
-    kZZZZ,
-    kXXXY,
-    kXXXZ,
-    kXYYY,
-    kYYYZ,
-    kXZZZ,
-    kYZZZ,
-    kXXYY,
-    kXXZZ,
-    kYYZZ,
-    kXXYZ,
-    kXYYZ,
-    kXYZZ
-};
-// The axis with an odd number of factors in a moment of degree 3; 3: none.
-constexpr int kOddAxis[kCubic] = {0, 1, 2, 1, 2, 0, 2, 0, 1, 3};
-// Moments of degree 4 that are x, y and z times those of degree 3.
-constexpr int kTimes[3][kCubic] = {
-    {kXXXX, kXYYY, kXZZZ, kXXXY, kXXXZ, kXXYY, kXYYZ, kXXZZ, kXYZZ, kXXYZ},
-    {kXXXY, kYYYY, kYZZZ, kXXYY, kXXYZ, kXYYY, kYYYZ, kXYZZ, kYYZZ, kXYYZ},
-    {kXXXZ, kYYYZ, kZZZZ, kXXYZ, kXXZZ, kXYYZ, kYYZZ, kXZZZ, kYZZZ, kXYZZ}};
-
-void cubic_monomials(const Eigen::Vector3d& n, double cubic[kCubic]) {
-    const double x = n.x(), y = n.y(), z = n.z(), xx = x * x, yy = y * y, zz = z * z;
-    const double values[kCubic] = {x * xx, y * yy, z * zz, xx * y, xx * z,
-                                   x * yy, yy * z, x * zz, y * zz, x * y * z};
-    for (int i = 0; i < kCubic; ++i)
-        cubic[i] = values[i];
-}
-
-double dot(const double* a, const float* b, int count) {
-    double sum = 0;
-    for (int i = 0; i < count; ++i)
-        sum += a[i] * double(b[i]);
-    return sum;
-}
-
-void set_moments(double mass, const Eigen::Vector3d& normal, GridNode& node) {
-    const Eigen::Vector3d mn = mass * normal;
-    double cubic[kCubic];
-    cubic_monomials(normal, cubic);
-    float* t = node.moments;
-    t[0] = float(mass), t[1] = float(mn.x()), t[2] = float(mn.y()), t[3] = float(mn.z());
-    for (int i = 0; i < kCubic; ++i)
-        t[kFirstCubic + i] = float(mass * cubic[i]);
-    t[14] = t[15] = 0;
-    for (int axis = 0; axis < 3; ++axis)
-        for (int i = 0; i < kCubic; ++i)
-            t[kMoments + kTimes[axis][i]] = float(mn[axis] * cubic[i]);
-    t[2 * kMoments - 1] = 0;
-}
-
-/// Sums around p, for its normal.
-struct ContractedMoments {
-    double mass = 0;           ///< Σ m w
-    Eigen::Vector3d normal;    ///< Σ m w n_q
-    Eigen::Vector3d gradient;  ///< of the mass, as the derivatives in `sums`
-};
-
-/// `facing`: w = facing_weight(), else 1.
-ContractedMoments contract(const PointSums& sums, const Eigen::Vector3d& n, bool facing) {
-    const float* t = sums.moments;
-    const Eigen::Vector3d first(t[1], t[2], t[3]);
-    if (!facing)
-        return {t[0], first,
-                Eigen::Vector3d(sums.derivatives[0][0], sums.derivatives[1][0],
-                                sums.derivatives[2][0])};
-    // w(c) = 1/2 + 3/4 c - 1/4 c^3, c = n_q·n_p; powers of c contract moments with n_p. c n_q =
-    // c n_q |n_q|² has degree 4, too.
-    double cubic[kCubic], weights[kFirstCubic + kCubic], normal_weights[kCubic];
-    const double linear[4] = {0.75 * n.x(), 0.75 * n.y(), 0.75 * n.z(), 0};
-    cubic_monomials(n, cubic);
-    weights[0] = 0.5;
-    for (int axis = 0; axis < 3; ++axis)
-        weights[1 + axis] = linear[axis];
-    for (int i = 0; i < kCubic; ++i) {
-        weights[kFirstCubic + i] = -0.25 * kEntries[i] * cubic[i];
-        normal_weights[i] = weights[kFirstCubic + i] + linear[kOddAxis[i]];
-    }
-    ContractedMoments result;
-    result.mass = dot(weights, t, kFirstCubic + kCubic);
-    for (int axis = 0; axis < 3; ++axis) {
-        result.normal[axis] = 0.5 * first[axis];
-        for (int i = 0; i < kCubic; ++i)
-            result.normal[axis] += normal_weights[i] * double(t[kMoments + kTimes[axis][i]]);
-        result.gradient[axis] = dot(weights, sums.derivatives[axis], kFirstCubic + kCubic);
-    }
-    return result;
-}
-
-// ---- kernel ----
-
-constexpr double kPi = 3.14159265358979323846;
-constexpr int kFrequencies = 512;
-constexpr int kAliases = 4;
-
-/// Fourier transform.
-double spline_transform(double w, int degree) {
-    return std::pow(std::sin(w / 2) / (w / 2), degree + 1);
-}
-
-double influence(double w, double sigma) {
-    double spread_aliases = 0, value_aliases = 0;
-    for (int m = -kAliases; m <= kAliases; ++m) {
-        spread_aliases += std::pow(spline_transform(w + 2 * kPi * m, 3), 2);
-        value_aliases += std::pow(spline_transform(w + 2 * kPi * m, 4), 2);
-    }
-    const double gaussian = sigma * std::sqrt(2 * kPi) * std::exp(-sigma * sigma * w * w / 2);
-    return gaussian * spline_transform(w, 3) * spline_transform(w, 4) /
-           (spread_aliases * value_aliases);
-}
-
-/// The filter from masses spread by cubic B-splines to values half a cell further on from which
-/// quartic B-splines interpolate Σ m exp(−x²/2σ²); σ in cells. Symmetric: tap j, 0 <= j < count, is
-/// for nodes at the distance j + 1/2. The optimal influence function of Hockney and Eastwood,
-/// section 8-3, along one axis.
-std::vector<double> spline_kernel(double sigma, int count) {
-    std::vector<double> taps(std::size_t(count), 0);
-    for (int f = 0; f < kFrequencies; ++f) {
-        const double w = kPi * (f + 0.5) / kFrequencies;
-        const double value = influence(w, sigma) / kFrequencies;
-        for (int j = 0; j < count; ++j)
-            taps[std::size_t(j)] += value * std::cos((j + 0.5) * w);
-    }
-    return taps;
-}
 
 /// Nodes to each side of a value half way between two of them; size: √h in cells.
 int tap_count(double size, const GridResolution& resolution) {
@@ -171,8 +41,6 @@ std::vector<float> kernel_taps(double size, const GridResolution& resolution, in
     return taps;
 }
 
-// ---- sums ----
-
 void clear(GridNode* nodes, int count) {
     for (int node = 0; node < count; ++node)
         std::fill(std::begin(nodes[node].moments), std::end(nodes[node].moments), 0.f);
@@ -187,7 +55,7 @@ void for_each_row(int part, Visit visit) {
         visit(first + (row / kBlock * kBox + row % kBlock) * kBox, row * kBlock);
 }
 
-/// See docs/algorithms.md.
+/// One sum, in the steps above.
 class GridSum {
 public:
     GridSum(const PreparedMesh& mesh, const std::vector<Eigen::Vector3d>& normals,
@@ -203,6 +71,8 @@ public:
           convolution_(grid_, points_.reached(), reach_,
                        kernel_taps(size_ / grid_.cell, resolution, reach_)) {}
 
+    /// A slab is done once `reach` more have been spread; its points are read one slab later, for
+    /// their splines reach into the next.
     void run(const StageProgress& stage) {
         const int slabs = grid_.blocks[2];
         make_room(0);
@@ -314,7 +184,7 @@ private:
         PointSums sums;
         loops_.interpolate(box + locate(p, place), place, sums);
         const ContractedMoments at = contract(sums, normals_[p], facing_);
-        // The Gaussian's derivative is (q − p)/(2h) times it.
+        // ∇ exp(−|q − p|²/4h) is (q − p)/(2h) times it.
         const double to_moment = 2 * size_ * size_ / grid_.cell;
         sums_.mass[p] = float(at.mass);
         for (int axis = 0; axis < 3; ++axis)
