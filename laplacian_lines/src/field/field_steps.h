@@ -41,11 +41,8 @@ double vertex_noise(const PreparedMesh& mesh, const VertexRanges& ranges,
 constexpr double kLargestRoughness = 0.5;
 
 /// MeshReport::roughness, from unsmoothed vertex normals: the larger of noise (vertex_noise()) and
-/// terraces. Terraces are the turn of normals from smoothing by 0.8 to 1.6 mean edges over that
-/// from 1.6 to 3.2, lower quartiles of a thousand vertices: smoothing removes terraces at the
-/// finest scale, form at the coarsest. Counts less where most normals are within 2 degrees of their
-/// neighbours' mean; 0 if the mesh is too coarse or has too many vertices near each other, or if
-/// its flat faces are_large(). Mean edges are multiplied by relative_sizes[v].
+/// of terraces, in units of what automatic_normal_sigma() smooths; 0 if flat faces are_large().
+/// Mean edges are multiplied by relative_sizes[v].
 double measure_roughness(const PreparedMesh& mesh, const VertexRanges& ranges,
                          const SpatialTree& tree, const std::vector<float>& relative_sizes,
                          const std::vector<Eigen::Vector3d>& normals, const StageProgress& stage);
