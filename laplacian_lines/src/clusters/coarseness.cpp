@@ -6,23 +6,26 @@
 #include <cmath>
 
 #include "field/field_steps.h"
+#include "mesh/flat_faces.h"
 #include "system/large_array.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
 namespace {
 
-// In D: about two pixels of a picture of 400.
-constexpr double kFarthestContour = 0.006;
-constexpr double kLargestSmoothTriangle = 0.03;  // longest edge, D
-constexpr double kLargestRoughTriangle = 0.06;   // whose contours are smooth on rough meshes, D
-// Of the area. Measured meshes may have a few large triangles, where holes were filled.
+// The zero of n·v is where a corner's normal n stands upright on the ray v. The triangle's own
+// plane leans from n by some angle, so such a triangle is seen at most at that angle, and its size
+// times the sine is how far the zero may be from the horizon of the triangles, in the picture.
+constexpr double kFarthestContour = 0.006;       // D: about two pixels of a picture of 400
+constexpr double kLargestSmoothTriangle = 0.03;  // D, longest edge: corners show in contours
+constexpr double kLargestRoughTriangle = 0.06;   // D: noise tilts all planes, so size alone counts
+// Of the area. Measured meshes may have a few large triangles, where holes were filled; on CAD
+// meshes flat faces are most of the area, and those at round ones are few.
 constexpr double kCoarseShare = 0.25, kCoarseShareOfCad = 0.02;
-constexpr double kSquaredCosineOfCad = 0.9698;  // of 10°
+constexpr double kSquaredCosineOfCad = 0.9698;  // of 10°: planes of CAD meshes are the form's
 
-constexpr double kFlat = 0.9999984769132877;   // least cosine: of 0.1°
-constexpr double kSharp = 0.7660444431189781;  // most cosine: of 40°
-constexpr double kLong = 0.02;                 // D
+constexpr double kSharp = 0.7660444431189781;  // most cosine: of 40°, from which edges are creases
+constexpr double kLong = 0.02;                 // D: over four of the least kernels
 
 double longest_squared(const PreparedMesh& mesh, const Triangle& t) {
     double longest = 0;
@@ -32,7 +35,7 @@ double longest_squared(const PreparedMesh& mesh, const Triangle& t) {
     return longest;
 }
 
-/// Whether the zero of n·l in a triangle may be far from the horizon of the triangles.
+/// Whether the zero of n·v in a triangle may be far from the horizon of the triangles.
 bool is_coarse(const PreparedMesh& mesh, const Field& field, const Triangle& t, bool is_cad) {
     const double squared_size = longest_squared(mesh, t);
     const auto is_larger = [&](double size) { return squared_size > size * size; };
@@ -49,20 +52,30 @@ bool is_coarse(const PreparedMesh& mesh, const Field& field, const Triangle& t, 
            (is_cad && least < kSquaredCosineOfCad);
 }
 
-/// By vertex, the least cosine between the planes of the triangles around it and of the first one,
-/// whichever side each of them is seen from.
+/// Whether triangle a is the larger one, given normals times areas. Of equal ones it is that whose
+/// normal has the larger x, then y, then z, so that the order of triangles does not matter.
+bool is_larger_triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    const double area = a.squaredNorm(), other = b.squaredNorm();
+    return area != other ? area > other
+                         : std::lexicographical_compare(b.begin(), b.end(), a.begin(), a.end());
+}
+
+/// By vertex, the least cosine between the planes of the triangles around it and of the largest
+/// one, whichever side each of them is seen from.
 std::vector<double> least_cosines(const PreparedMesh& mesh) {
     std::vector<Eigen::Vector3d> normals = large_array<Eigen::Vector3d>(mesh.triangles.size());
-    for_each_element(normals.size(), [&](std::size_t t) {
-        normals[t] = area_vector(mesh, mesh.triangles[t]).stableNormalized();
-    });
-    std::vector<const Eigen::Vector3d*> first(mesh.size(), nullptr);
+    for_each_element(normals.size(),
+                     [&](std::size_t t) { normals[t] = area_vector(mesh, mesh.triangles[t]); });
+    std::vector<const Eigen::Vector3d*> largest(mesh.size(), nullptr);
+    for (std::size_t t = 0; t < normals.size(); ++t)
+        for (const std::uint32_t v : mesh.triangles[t])
+            if (!largest[v] || is_larger_triangle(normals[t], *largest[v]))
+                largest[v] = &normals[t];
+    for_each_element(normals.size(), [&](std::size_t t) { normals[t].stableNormalize(); });
     std::vector<double> least(mesh.size(), 1);
     for (std::size_t t = 0; t < normals.size(); ++t)
-        for (const std::uint32_t v : mesh.triangles[t]) {
-            if (!first[v]) first[v] = &normals[t];
-            least[v] = std::min(least[v], std::abs(normals[t].dot(*first[v])));
-        }
+        for (const std::uint32_t v : mesh.triangles[t])
+            least[v] = std::min(least[v], std::abs(normals[t].dot(*largest[v])));
     return least;
 }
 
@@ -88,7 +101,7 @@ std::vector<std::uint8_t> find_featureless_triangles(const PreparedMesh& mesh) {
     if (std::none_of(cosines.begin(), cosines.end(), is_sharp)) return featureless;
     for_each_element(featureless.size(), [&](std::size_t i) {
         const Triangle& t = mesh.triangles[i];
-        const auto is_flat = [&](std::uint32_t v) { return cosines[v] >= kFlat; };
+        const auto is_flat = [&](std::uint32_t v) { return cosines[v] >= kFlatCosine; };
         const auto is_clear = [&](std::uint32_t v) { return is_flat(v) || is_sharp(cosines[v]); };
         featureless[i] =
             std::all_of(t.begin(), t.end(), is_flat) ||

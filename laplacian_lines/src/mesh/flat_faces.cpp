@@ -7,7 +7,6 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr double kFlat = 0.9999984769132877;  // least cosine: of 0.1°
 // Shares of the area. Segmented heads and ellipsoids of 40 to 100 voxels have up to 0.16 in large
 // faces, but 0.54 if they are as flat as a lens; housings and plates have from 0.40 on.
 constexpr double kLargeFace = 0.02, kShareOfLarge = 0.33;
@@ -30,7 +29,7 @@ FlatFaces flat_faces(const PreparedMesh& mesh, const CornerTable& sides) {
     DisjointSets faces(count);
     for (std::uint32_t side = 0; side < sides.side_count(); ++side) {
         const std::uint32_t t = side / 3, other = sides.across(side) / 3;
-        if (sides.has_neighbour(side) && t < other && normals[other].dot(normals[t]) >= kFlat)
+        if (sides.has_neighbour(side) && t < other && normals[other].dot(normals[t]) >= kFlatCosine)
             faces.unite(t, other);
     }
     const std::vector<std::uint32_t> face_of = faces.take_roots();

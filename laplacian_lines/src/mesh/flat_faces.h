@@ -11,6 +11,9 @@ namespace laplacian_lines {
 /// have up to 0.24, machined parts and lofts 0.29 and more.
 constexpr double kCadShare = 0.27;
 
+/// Least cosine between neighbours in a flat face: of 0.1°.
+constexpr double kFlatCosine = 0.9999984769132877;
+
 /// Flat faces of several triangles.
 struct FlatFaces {
     double share = 0;        ///< of the area
