@@ -8,6 +8,7 @@
 
 #include "laplacian_lines/threads.h"
 #include "line_drawing/words.h"
+#include "options/paper_and_pens.h"
 #include "options/progress_part.h"
 #include "planes/lettering.h"
 #include "sheet/sheet_layout.h"
