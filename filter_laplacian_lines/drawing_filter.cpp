@@ -76,37 +76,51 @@ void list_parameters(const MeshModel* mesh, RichParameterList& list) {
     list_drawing_parameters(drawing_defaults(mesh, has_window), list);
 }
 
-void run(const meshlab_host::FilterRun& run) {
-    const DrawingParameters chosen = read_drawing_parameters(run.parameters);
-    QString name = in_qt(file_for(*run.document.mm(), chosen.file));
-    std::string place = QFile::encodeName(name).toStdString();  // in the system's encoding
-    line_drawing::format_of(place);
-    line_drawing::check_writable(place);
-    const std::optional<meshlab_host::CurrentView> window = meshlab_host::current_view();
-    SheetOptions options = sheet_options(chosen, window);
-    RichParameterList recorded;
-    if (window)
-        list_drawing_parameters(for_any_mesh(chosen, *run.document.mm(), *window), recorded);
-    const WorldLayers layers = copy_layers(
-        {chosen.is_of_all_layers, options.style.shows.needs_derivatives()}, run, kFieldShare);
+std::string in_system(const QString& name) {
+    return QFile::encodeName(name).toStdString();
+}
+
+/// Source and title: the layers' names, unless the options have a title.
+void set_texts(const WorldLayers& layers, SheetOptions& options) {
     options.source = names_of(layers).toStdString();
     line_drawing::Words names;
     for (const WorldLayer& layer : layers)
         names.push_back(QFileInfo(layer.name).completeBaseName().toStdString());
     options.title = line_drawing::title_of(options.title, names);
-    for (const std::string& remark : line_drawing::check_texts(options, place))
+}
+
+/// Returns the file's whole path.
+QString write(Sheet& sheet, const WorldLayers& layers, const QString& name) {
+    const std::vector<line_drawing::SourceMesh> meshes = meshes_of(layers);
+    sheet.provenance = line_drawing::provenance_text(meshes);
+    const QString free = free_name(name, meshes);  // scripts run over a folder
+    line_drawing::write_atomically(in_system(free), write_sheet(sheet, in_system(free)));
+    return QFileInfo(free).absoluteFilePath();
+}
+
+void run(const meshlab_host::FilterRun& run) {
+    const DrawingParameters chosen = read_drawing_parameters(run.parameters);
+    const QString name = in_qt(file_for(*run.document.mm(), chosen.file));
+    line_drawing::format_of(in_system(name));  // refuses now, not after the work
+    line_drawing::check_writable(in_system(name));
+    const std::optional<meshlab_host::CurrentView> window = meshlab_host::current_view();
+    SheetOptions options = sheet_options(chosen, window);
+    RichParameterList recorded;
+    if (window)
+        list_drawing_parameters(for_any_mesh(chosen, *run.document.mm(), *window), recorded);
+
+    const WorldLayers layers = copy_layers(
+        {chosen.is_of_all_layers, options.style.shows.needs_derivatives()}, run, kFieldShare);
+    set_texts(layers, options);
+    for (const std::string& remark : line_drawing::check_texts(options, in_system(name)))
         run.say(in_qt(remark));
     Sheet sheet =
         line_drawing::make_sheets(objects_of(layers), {options},
                                   meshlab_host::progress_to(run.progress, kFieldShare, kSheetShare))
             .front();
     meshlab_host::begin_step(run.progress, 1, "Writing the drawing");
-    const std::vector<line_drawing::SourceMesh> meshes = meshes_of(layers);
-    sheet.provenance = line_drawing::provenance_text(meshes);
-    name = free_name(name, meshes);  // scripts run over a folder
-    place = QFile::encodeName(name).toStdString();
-    line_drawing::write_atomically(place, write_sheet(sheet, place));
-    const QString file = QFileInfo(name).absoluteFilePath();
+    const QString file = write(sheet, layers, name);
+
     const Eigen::Vector3d size = options.mm_per_unit * size_of(layers);
     run.say(report(layers, file, sheet, size, options));
     for (const std::string& remark : sheet.remarks)
@@ -122,11 +136,11 @@ void run(const meshlab_host::FilterRun& run) {
 }  // namespace
 
 meshlab_host::Filter drawing_filter() {
-    return {{kFilterName, "export_laplacian_lines_drawing",
-             QStringLiteral("Writes a measured drawing: lines at scale on paper, as vectors, from "
-                            "the window's view or "
-                            "several sides."),
-             meshlab_host::FilterInterface::Normal, MeshModel::MM_FACENUMBER},
-            list_parameters,
-            run};
+    return {
+        {kFilterName, "export_laplacian_lines_drawing",
+         "Writes a measured drawing: lines at scale on paper, as vectors, from the window's view "
+         "or several sides.",
+         meshlab_host::FilterInterface::Normal, MeshModel::MM_FACENUMBER},
+        list_parameters,
+        run};
 }

@@ -11,8 +11,9 @@
 /// The user's choices; the filter has a part of line_drawing::sheet_option_table().
 using DrawingParameters = line_drawing::SheetChoices;
 
-/// The likely unit of a mesh of this size: mm from scanners, for objects larger than a bead; m from
-/// photogrammetry and phones, for objects smaller than a house. cm and inches cannot be recognized.
+/// The likely unit of a mesh with this diagonal. Scanners write mm, and few objects are smaller
+/// than 10 mm; photogrammetry and phones write m, and few are larger than 10 m. cm and inches
+/// cannot be recognized.
 constexpr int likely_unit(double diagonal) {
     constexpr int millimetre = 0, metre = 2;
     return diagonal < 10 ? metre : millimetre;

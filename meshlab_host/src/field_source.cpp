@@ -23,20 +23,20 @@ std::vector<double> option_values(laplacian_lines::PrecomputeOptions options) {
     return values;
 }
 
-/// What the automatic options did for this mesh, each after a comma; mostly empty.
-QString specials_of(const Field& field) {
-    QString specials;
+/// What options did by themselves for this mesh, each after a comma; mostly empty.
+QString automatic_steps_of(const Field& field) {
+    QString steps;
     if (field.report.welded_vertices)
-        specials += QString(", %1 duplicated vertices welded where they cut the surface open")
-                        .arg(field.report.welded_vertices);
+        steps += QString(", %1 duplicated vertices welded where they cut the surface open")
+                     .arg(field.report.welded_vertices);
     if (field.report.undone_subdivisions)
-        specials += QString(", as before each triangle was cut in %1")
-                        .arg(1 << 2 * field.report.undone_subdivisions);
+        steps += QString(", as before each triangle was cut in %1")
+                     .arg(1 << 2 * field.report.undone_subdivisions);
     if (field.report.roughness > 0)
-        specials += QString(", roughness %1: normals smoothed by %2 mean edges")
-                        .arg(field.report.roughness, 0, 'f', 2)
-                        .arg(field.scale.normal_sigma / field.scale.mean_edge, 0, 'f', 2);
-    return specials;
+        steps += QString(", roughness %1: normals smoothed by %2 mean edges")
+                     .arg(field.report.roughness, 0, 'f', 2)
+                     .arg(field.scale.normal_sigma / field.scale.mean_edge, 0, 'f', 2);
+    return steps;
 }
 
 QString computed_line(const QString& mesh_name, FieldStatus status, const Field& field,
@@ -44,7 +44,8 @@ QString computed_line(const QString& mesh_name, FieldStatus status, const Field&
     return QString(
                "Laplacian Lines: %1%2: computed with the default options in %3 s%4 (the filter "
                "Compute Laplacian Lines has others)")
-        .arg(mesh_name, describe(status), QString::number(seconds, 'f', 2), specials_of(field));
+        .arg(mesh_name, describe(status), QString::number(seconds, 'f', 2),
+             automatic_steps_of(field));
 }
 
 }  // namespace

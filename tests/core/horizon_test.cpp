@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contours of coarse meshes: mesh edges.
+// Contours of coarse meshes are mesh edges, those of fine meshes are not.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -110,7 +110,7 @@ TEST(Horizon, IsNotMovedBySmoothing) {
 TEST(Horizon, StaysAtTheEdges) {
     const TriangleMesh cube = test_meshes::cube(40);  // coarse at its edges, fine on the faces
     const LineExtractor extractor(cube, precompute(cube));
-    const double largest = 0.003 * std::sqrt(12);
+    const double largest = 0.003 * std::sqrt(12);  // .3 % of D
     for (const View& view : helpers::random_views(cube, 10)) {
         const LineSet lines = helpers::extract(extractor, view, outlines());
         EXPECT_GT(helpers::total_length(lines) * std::sqrt(12), 4 * 2 - 0.01);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The kernel size that a drawing asks for.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -21,7 +21,7 @@ std::string violation(const laplacian_lines::LineSet& lines);
 /// its own or a made-up field; errors are fine.
 std::string violation_of_bytes(const std::uint8_t* bytes, std::size_t size);
 
-/// From these bytes it makes this mesh, or its beginning.
+/// Bytes of which violation_of_bytes() makes this mesh, or its beginning.
 std::vector<std::uint8_t> bytes_of(const laplacian_lines::TriangleMesh& mesh);
 
 }  // namespace wild

@@ -13,7 +13,7 @@ def expect_success(*words):
 
 
 small_torus()
-text = (EXAMPLES / "laplacian_lines.mlx").read_text()
+text = pathlib.Path(EXAMPLE).read_text()
 for name, old, new in (("other", 'Compute Laplacian Lines"', 'Compute Laplacian"'), ("cut", "</FilterScript>", ""),
                        ("root", "FilterScript>", "Filters>"), ("empty", text[text.index(" <filter"):], "</FilterScript>\n"),
                        ("wrong", '(name="kernel_size".* )value="0"', r'\1value="-1"')):

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Eq. 2 of the paper at every vertex,
+//     Δn(p) = 1/(4πh²) Σ_q m_q exp(−‖q − p‖²/4h) (n_q − n_p):
+//  1. Cut the sum off where what is left of it is the accuracy asked for.
+//  2. Take the cheaper way to sum: directly, or on a grid (sums/gaussian_sums.h).
+//  3. Make up for the part that was cut off, and for what the kernel lacks beyond a border.
 #include "field/field_steps.h"
 
 #include <algorithm>
@@ -16,11 +21,12 @@ constexpr double kQuickAccuracy = 0.5e-3;  // least accuracy for which quick Gau
 // Share of the kernel's mass that is on the surface; less is only at the tip of a border's corner.
 constexpr double kLeastKernelMass = 0.2;
 
-/// Of the kernel's second moment, beyond k √h, u = k²/4.
+/// The share of the kernel's second moment, ∫ r² exp(−r²/4h), that is beyond k √h; u = k²/4.
 double tail(double u) {
     return (1 + u) * std::exp(-u);
 }
 
+/// RMS of √h|S|, as grid_resolution() takes it.
 double roughness(const std::vector<float>& kernel_sizes, const ShapeOperators& shape_operators) {
     const double sum = sum_of(kernel_sizes.size(), [&](std::size_t i) {
         return double(kernel_sizes[i]) * kernel_sizes[i] * shape_operators[i].squaredNorm();
@@ -36,6 +42,22 @@ double cutoff_of(double accuracy) {
         (tail(middle) > accuracy ? low : high) = middle;
     }
     return 2 * std::sqrt(high);
+}
+
+/// Δn at a vertex with the normal n and shape operator S, from a kernel that lacks its part beyond
+/// a border. `moment` is Σ w (q − p), of the factor that Δn has; `mass` the share of the kernel
+/// that is there.
+Eigen::Vector3d corrected(const Eigen::Vector3d& sum, const Eigen::Vector3d& n,
+                          const SymmetricTensor& s, double h, const Eigen::Vector3d& moment,
+                          double mass) {
+    // A kernel that is asymmetric around p has a first moment along the surface, which S turns into
+    // a term that is no curvature's. It fades where the normal turns by more than a radian within
+    // √h, since n_q − n_p = S (q − p) does not hold there.
+    const double trust = 1 / (1 + h * s.squaredNorm());
+    const Eigen::Vector3d centred = sum - trust * (s * (moment - n * n.dot(moment)));
+    // What the missing share would have added is made up for along n alone: that also halves the
+    // bias on curved surfaces, but would worsen tangential parts.
+    return centred + n * n.dot(centred) * (1 / std::max(mass, kLeastKernelMass) - 1);
 }
 
 }  // namespace
@@ -59,25 +81,16 @@ std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const Sp
     const bool on_grid = costs.grid < costs.direct;
     const GaussianSums sums = on_grid ? grid_sums(mesh, normals, kernel, resolution, stage)
                                       : gaussian_sums(mesh, tree, normals, kernel, stage);
-    // The cut-off tail of a second moment is known, so its mean effect is corrected.
     const double kept = on_grid ? 1 : 1 - tail(kernel.cutoff * kernel.cutoff / 4);
     std::vector<Eigen::Vector3d> laplacian = large_array<Eigen::Vector3d>(mesh.size());
     for_each_element(laplacian.size(), [&](std::size_t i) {
         const double h = double(kernel_sizes[i]) * kernel_sizes[i];
         const double factor = 1 / (4 * kPi * h * h * kept);
         laplacian[i] = factor * sums.normal_difference[i].cast<double>();
-        if (!options.correct_borders) return;
-        const Eigen::Vector3d& n = normals[i];
-        const Eigen::Vector3d moment = factor * sums.first_moment[i].cast<double>();
-        // A kernel that is asymmetric around p, as at a border, has a first moment along the
-        // surface, which S turns into a spurious term. It fades where the normal turns by more than
-        // a radian within √h, since n_q − n_p = S (q − p) does not hold there.
-        const double trust = 1 / (1 + h * shape_operators[i].squaredNorm());
-        laplacian[i] -= trust * (shape_operators[i] * (moment - n * n.dot(moment)));
-        // Part of the kernel is missing there, too. This also halves the bias on curved surfaces,
-        // but worsens tangential parts.
-        const double kernel_mass = std::max(sums.mass[i] / (4 * kPi * h), kLeastKernelMass);
-        laplacian[i] += n * n.dot(laplacian[i]) * (1 / kernel_mass - 1);
+        if (options.correct_borders)
+            laplacian[i] = corrected(laplacian[i], normals[i], shape_operators[i], h,
+                                     factor * sums.first_moment[i].cast<double>(),
+                                     sums.mass[i] / (4 * kPi * h));
     });
     return laplacian;
 }

@@ -15,6 +15,7 @@ constexpr double kLargestDrawnKernel = 0.04;  // D
 // Mean edges. Decimated scans have features one or two edges wide: 1 instead of 1.3 shows no more
 // of them, but clutter. Against noise, smoothing of normals is better than a larger kernel.
 constexpr double kLeastEdges = 1.3;
+constexpr double kLeastShare = 0.0045;  // D: finer meshes do not get ever finer lines
 
 }  // namespace
 
@@ -23,7 +24,7 @@ double least_kernel_size(double mean_edge) {
 }
 
 double automatic_kernel_size(double mean_edge, double diagonal) {
-    return std::max(least_kernel_size(mean_edge), 0.0045 * diagonal);
+    return std::max(least_kernel_size(mean_edge), kLeastShare * diagonal);
 }
 
 double global_kernel_size(const PreparedMesh& mesh, const PrecomputeOptions& options) {

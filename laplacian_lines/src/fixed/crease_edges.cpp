@@ -88,7 +88,7 @@ public:
     std::vector<CreaseEdge> run(float least_angle) const {
         std::vector<CreaseEdge> edges = find_bent_edges();
         in_parallel(edges.size(), [&](std::size_t i) { edges[i].verdict = test(edges[i]); });
-        drop_unsupported(edges, is_cad_);
+        drop_unsupported(edges);
         for (CreaseEdge& edge : edges)
             if (edge.verdict != Verdict::Noise)
                 edge.shown_up_to =

@@ -74,8 +74,7 @@ CreaseJump crease_jump(const Surface& surface, std::uint32_t side, float angle);
 
 /// Makes facets of edges that no others support. Kept are certain edges; chains from one certain
 /// edge to another, or closed, at least half of which is strong; unclear edges only singly, within
-/// such a chain. On a CAD mesh also chains from one certain edge on, as far as their angles fall:
-/// creases that fade out, as the mitres of fillets do. On a scan noise does so as well.
-void drop_unsupported(std::vector<CreaseEdge>& edges, bool is_cad);
+/// such a chain. Also chains that run out from one certain edge, as the mitres of fillets do.
+void drop_unsupported(std::vector<CreaseEdge>& edges);
 
 }  // namespace laplacian_lines

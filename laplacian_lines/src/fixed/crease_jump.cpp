@@ -187,8 +187,6 @@ float explained(const FacetSide& a, const FacetSide& b) {
         const FacetSide& arc = a.is_arc() ? a : b;
         const FacetSide& other = a.is_arc() ? b : a;
         const float own = arc.curvature() * arc.half();
-        if (other.curvature() > 0 && are_alike(other.curvature(), arc.curvature()))
-            return own + other.curvature() * other.half();
         // The last facet of the arc, if it is no wider than others of it.
         return other.half() <= kAlike * arc.half() ? own + arc.curvature() * other.half() : own;
     }

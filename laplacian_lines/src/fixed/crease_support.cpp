@@ -26,9 +26,9 @@ public:
                 if (is_kept(i)) at_[v].push_back(i);
     }
 
-    void run(bool is_cad) {
+    void run() {
         drop_unclear();
-        if (is_cad) find_fading_out();
+        find_running_out();
         drop_loose();
         drop_doubtful();
     }
@@ -73,9 +73,9 @@ private:
             drop(i);
     }
 
-    /// Follows creases that fade out: from certain edges on, edges of ever smaller angles, each the
-    /// only strong one that continues there; then also weak ones that nothing else meets.
-    void find_fading_out() {
+    /// Follows creases that run out: from certain edges on, each the only strong edge that
+    /// continues there, or a weak one that nothing else meets.
+    void find_running_out() {
         std::vector<std::uint32_t> open;
         for (std::uint32_t i = 0; i < edges_.size(); ++i)
             if (edges_[i].is_certain()) open.push_back(i);
@@ -87,11 +87,8 @@ private:
                 const bool is_only = edges_at(i, end).size() == 2;
                 for_each_at(i, end, [&](std::uint32_t o, float cosine) {
                     const CreaseEdge& other = edges_[o];
-                    if (runs_out_[o] || other.is_certain() || other.angle >= edges_[i].angle)
-                        return;
-                    const bool leads_on =
-                        other.is_strong() ? is_only_strong : is_only && !edges_[i].is_certain();
-                    if (!leads_on || cosine < kGoesOn) return;
+                    if (runs_out_[o] || other.is_certain() || cosine < kGoesOn) return;
+                    if (!(other.is_strong() ? is_only_strong : is_only)) return;
                     runs_out_[o] = 1;
                     open.push_back(o);
                 });
@@ -144,7 +141,7 @@ private:
     }
 
     /// Whether a crease continues at both ends, three meet there or one of them is certain; or the
-    /// edge belongs to a crease that fades out.
+    /// edge belongs to a crease that runs out.
     bool is_supported(std::uint32_t i) const {
         return runs_out_[i] || (look_around(i, 0).holds() && look_around(i, 1).holds());
     }
@@ -177,8 +174,8 @@ private:
 
 }  // namespace
 
-void drop_unsupported(std::vector<CreaseEdge>& edges, bool is_cad) {
-    SupportedCreases(edges).run(is_cad);
+void drop_unsupported(std::vector<CreaseEdge>& edges) {
+    SupportedCreases(edges).run();
 }
 
 }  // namespace laplacian_lines

@@ -29,7 +29,6 @@ constexpr float kCertainly = 1.5f;       // times too rough: more triangles woul
 constexpr float kSmootherThanScans = 2;  // degrees; CAD meshes are smoother
 constexpr int kFewEdges = 8;             // too few to tell roughness from curvature
 constexpr float kLong = 0.02f;           // D; edges this long are no noise
-constexpr int kFewTriangles = 4;         // of a side, as large faces have them
 
 /// Positive where the surface is convex at a side.
 float bend_at(const Surface& surface, std::uint32_t side) {
@@ -49,8 +48,7 @@ public:
         const std::uint32_t start = beyond ? other : own, opposite = beyond ? own : other;
         const float length = edge.length();
         const float height = length > 0 ? 2 * surface.facet(start).area / length : 0;
-        const float across = std::max(kLeastReach, kHeights * height);
-        const float aside = std::max(kLeastReach, kHeights * std::min(height, length));
+        const float farthest = std::max(kLeastReach, kHeights * height) + length / 2;
         const Vector3f middle = (edge.positions[0] + edge.positions[1]) / 2;
         Vector3f along = edge.positions[1] - edge.positions[0];
         if (length > 0) along /= length;
@@ -60,9 +58,7 @@ public:
         // on this side of the bisecting plane of the edge
         const auto is_near = [&](std::uint32_t triangle) {
             const Vector3f offset = surface.facet(triangle).centre - middle;
-            const float farthest = across + aside + length / 2;
-            return dot(offset, away) > 0 && std::abs(dot(offset, along)) <= length / 2 + aside &&
-                   squared_length_of(offset) <= farthest * farthest;
+            return dot(offset, away) > 0 && squared_length_of(offset) <= farthest * farthest;
         };
         std::vector<std::uint32_t> reached = {start};
         std::vector<float> signs = {beyond ? surface.sign_across(edge.side) : 1.f};
@@ -85,10 +81,7 @@ public:
     bool is_too_rough(float angle) const { return angle < kTimesRoughness * roughness(); }
 
     /// Whether the surface is too smooth for a scan.
-    bool is_smoother_than_scans() const {
-        if (is_long_ && triangles_ < kFewTriangles) return true;
-        return edges_ > 0 && roughness() < kSmootherThanScans;
-    }
+    bool is_smoother_than_scans() const { return edges_ > 0 && roughness() < kSmootherThanScans; }
 
     /// Whether the mean normals of two sides differ about as much as those at the edge do.
     static bool differ(const EdgeSide& here, const EdgeSide& there, float angle) {
@@ -102,7 +95,6 @@ private:
     void add(std::uint32_t triangle, float sign) {
         const Surface::Facet& facet = surface_.facet(triangle);
         normals_ += sign * facet.area * facet.normal;
-        ++triangles_;
         for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side) {
             if (!surface_.has_neighbour(side)) continue;
             const float cosine = surface_.cosine_across(side);
@@ -128,7 +120,7 @@ private:
     const bool is_long_;
     Vector3f normals_ = Vector3f::Zero();        // times areas, as the edge's own triangle has them
     float bends_ = 0, sizes_ = 0, squares_ = 0;  // of the angles at edges, signed; radians
-    int edges_ = 0, triangles_ = 0;
+    int edges_ = 0;
 };
 
 }  // namespace

@@ -18,8 +18,7 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr std::uint32_t kFewPieces = 12;  // connected ones, that a bad place of a scan may have
-constexpr float kShortNet = 3;            // shortest lines
+constexpr float kShortNet = 3;  // shortest lines; a bad place of a scan may have some edges
 // Where triangles are as large as the radius of a rounded edge, some edges are as sharp as creases,
 // in zigzags with gaps: ridges show these better.
 constexpr float kRaggedPiece = 0.015f;        // D; longer ones are those of a form
@@ -33,22 +32,17 @@ struct TracedCreases {
     std::vector<const CreaseEdge*> edges;
 };
 
-/// All lines that are connected; a line with a loose end is a net of its own.
+/// All lines that are connected.
 struct CreaseNet {
     std::uint32_t pieces = 0;
     float length = 0;  ///< D
     /// Loose ends, and facets between two of the edges whose third side is bent but no crease.
     std::uint32_t faults = 0;
 
-    void add(const CreaseNet& other) {
-        pieces += other.pieces;
-        length += other.length;
-        faults += other.faults;
-    }
     bool is_drawn(float shortest_line) const {
         const bool is_ragged =
             pieces < kPiecesOfAFault * faults && length < kRaggedPiece * float(pieces);
-        return !is_ragged && (pieces >= kFewPieces || length >= kShortNet * shortest_line);
+        return !is_ragged && length >= kShortNet * shortest_line;
     }
 };
 
@@ -69,16 +63,21 @@ public:
 
     void run(const ExtractorData& data, TracedCreases& traced) {
         const std::vector<PieceGraph::Line> lines = graph_.lines();
-        const std::vector<CreaseNet> nets = find_nets(lines);
-        for (std::size_t i = 0; i < lines.size(); ++i) {
-            if (!nets[i].is_drawn(traced.shortest_line)) continue;
+        DisjointSets connected(graph_.node_count());
+        for (const PieceGraph::Line& line : lines)
+            connected.unite(line.nodes.front(), line.nodes.back());
+        std::vector<CreaseNet> nets(graph_.node_count());
+        for (const PieceGraph::Line& line : lines)
+            add(line, nets[connected.root(line.nodes[0])]);
+        for (const PieceGraph::Line& line : lines) {
+            if (!nets[connected.root(line.nodes[0])].is_drawn(traced.shortest_line)) continue;
             const Polyline& appended = append_line(
-                data, LineKind::Crease, lines[i],
+                data, LineKind::Crease, line,
                 [&](std::uint32_t n) -> const Eigen::Vector3f& { return positions_[n]; },
                 traced.lines);
             for (std::uint32_t p = 0; p < appended.count; ++p)
-                traced.lines.points[appended.first + p].gradient = angles_[lines[i].nodes[p]];
-            for (const std::uint32_t piece : lines[i].pieces)
+                traced.lines.points[appended.first + p].gradient = angles_[line.nodes[p]];
+            for (const std::uint32_t piece : line.pieces)
                 traced.edges.push_back(edges_[piece]);
             traced.edges.push_back(nullptr);
         }
@@ -95,16 +94,13 @@ private:
         return number;
     }
 
-    /// A line alone as a net.
-    CreaseNet net_of(const PieceGraph::Line& line) {
-        CreaseNet net;
-        net.pieces = std::uint32_t(line.pieces.size());
+    void add(const PieceGraph::Line& line, CreaseNet& net) {
+        net.pieces += std::uint32_t(line.pieces.size());
         if (!line.is_closed) net.faults += loose_ends(line);
         for (const std::uint32_t piece : line.pieces) {
             net.faults += count_facets(*edges_[piece]);
             net.length += edges_[piece]->length();
         }
-        return net;
     }
 
     /// Facets at an edge with exactly one other side among the edges; each counts once.
@@ -122,20 +118,6 @@ private:
     std::uint32_t loose_ends(const PieceGraph::Line& line) const {
         return std::uint32_t(graph_.pieces_at(line.nodes.front()) == 1) +
                (graph_.pieces_at(line.nodes.back()) == 1);
-    }
-
-    std::vector<CreaseNet> find_nets(const std::vector<PieceGraph::Line>& lines) {
-        DisjointSets connected(graph_.node_count());
-        for (const PieceGraph::Line& line : lines)
-            connected.unite(line.nodes.front(), line.nodes.back());
-        std::vector<CreaseNet> nets, joined(graph_.node_count());
-        for (const PieceGraph::Line& line : lines) {
-            nets.push_back(net_of(line));
-            joined[connected.root(line.nodes[0])].add(nets.back());
-        }
-        for (std::size_t i = 0; i < lines.size(); ++i)
-            if (loose_ends(lines[i]) == 0) nets[i] = joined[connected.root(lines[i].nodes[0])];
-        return nets;
     }
 
     std::vector<const CreaseEdge*> edges_;  // by piece

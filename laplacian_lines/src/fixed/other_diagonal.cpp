@@ -42,15 +42,9 @@ Vector3f normal_of(const Vector3f& a, const Vector3f& b, const Vector3f& c) {
     return most > 0 ? unit(area / most) : area;
 }
 
-float cosine_of_edges() {
-    static const float cosine = cosine_of(kEdgeAngle / kDegrees);
-    return cosine;
-}
-
-/// Zero at borders and at edges of the form, which do not count.
+/// Zero at borders.
 Vector3f normal_beyond(const Surface& surface, std::uint32_t side, float sign) {
-    if (!surface.has_neighbour(side) || surface.cosine_across(side) < cosine_of_edges())
-        return Vector3f::Zero();
+    if (!surface.has_neighbour(side)) return Vector3f::Zero();
     return sign * surface.sign_across(side) * surface.beyond(side).normal;
 }
 

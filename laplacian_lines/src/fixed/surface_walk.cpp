@@ -26,10 +26,6 @@ Vector3f outwards(const Surface& surface, std::uint32_t side) {
     return direction_of(surface, side).cross(surface.facet(side / 3).normal);
 }
 
-float arc_sine(float sine) {
-    return float(std::asin(std::clamp(double(sine), -1., 1.)));
-}
-
 /// Whether the surface bends by less at a side with a neighbour.
 bool is_within(const Surface& surface, std::uint32_t side, const SmallAngle& angle) {
     const float cosine = surface.cosine_across(side);
@@ -70,9 +66,8 @@ float lean_of_boundaries(const Surface& surface, std::uint32_t side) {
     const Vector3f here = along_boundary(surface, side, least),
                    there = -along_boundary(surface, surface.across(side), least);
     if (here.isZero(0) || there.isZero(0)) return 0;
-    const float a = arc_sine(dot(here, along)), b = arc_sine(dot(there, along));
-    const float lean = sine_of((a + b) / 2);
-    return std::abs(a - b) < arc_sine(kAcross) && std::abs(lean) < kMostLean ? lean : 0;
+    const float lean = dot(here + there, along) / 2;
+    return std::abs(lean) < kMostLean ? lean : 0;
 }
 
 SmallAngle::SmallAngle(float size) : degrees(size) {

@@ -16,9 +16,9 @@ constexpr float kEdgeAngle = 40;
 float signed_angle(const Surface& surface, std::uint32_t side);
 
 /// The sine by which a path across a side leans towards the side's end: 0, unless the triangles on
-/// both sides have one boundary each and these are about parallel. Then the face is a band between
-/// boundaries, such as a chamfer, and curves along it. Boundaries are borders and edges that turn
-/// much more than the side does.
+/// both sides have one boundary each. Then the face is a band between boundaries, such as a
+/// chamfer, and curves along it. Boundaries are borders and edges that turn much more than the side
+/// does.
 float lean_of_boundaries(const Surface& surface, std::uint32_t side);
 
 /// An angle of up to 90 degrees, for comparisons: for most edges the cosine between their normals

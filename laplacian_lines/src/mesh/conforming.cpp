@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// T-junctions: a vertex on the border of a neighbouring triangle leaves the surface open there.
+//  1. Vertices on border sides are found, within rounding.
+//  2. Sides that they cut are kept if a part of one is an edge of another triangle, so that the cut
+//     joins them; surfaces that only touch stay apart.
+//  3. Triangles are split at the cuts.
+// stitch_cuts() finds vertices to weld: those at one place, at an edge whose two triangles have
+// other numbers there.
 #include "mesh/conforming.h"
 
 #include <Eigen/Geometry>

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Undoing a subdivision, in which each triangle was cut in four at the middles of its edges: find a
+// triangle whose corners are the middles of a larger one, made of it and its three neighbours; go
+// on across the sides of these four. All triangles have to be used once, and no vertex may be a
+// corner of one and a middle of another.
 #include "mesh/midpoints.h"
 
 #include <Eigen/Geometry>

@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// How triangles are turned outwards:
+//  1. Neighbours across edges of two triangles are made to agree with a first triangle; what is
+//     connected so is a body.
+//  2. A closed body, also one with holes, is turned as a whole if its volume is negative; an open
+//     one if step 1 has turned most of its area.
+//  3. A closed body inside another one, found by a ray, is turned with that one if it was: it is a
+//     cavity of it or a part within.
 #include "mesh/orientation.h"
 
 #include <Eigen/Geometry>
@@ -16,14 +23,6 @@ namespace laplacian_lines {
 namespace {
 
 using Eigen::Vector3d;
-
-// How triangles are oriented:
-//  1. Neighbours across edges of two triangles are made to agree: bodies, from a first triangle
-//  each.
-//  2. A closed body, also with holes, is turned as a whole if its signed volume is negative, an
-//  open
-//     one if step 1 has turned most of its area.
-//  3. A closed body inside another, found by a ray, is turned with that: it is a cavity or a part.
 
 // A closed surface has holes of at most these borders, and a volume.
 constexpr double kMostBordersOfHoles = 0.02;  // share of the edges

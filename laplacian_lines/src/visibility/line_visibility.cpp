@@ -54,8 +54,7 @@ std::vector<ViewLine> find_visible_lines(const VisibilityMesh& mesh, const Creas
     stage.report(0.4);
     const auto crossings = find_crossings(segments);
     stage.report(0.6);
-    auto pieces = find_visibility_pieces(segments, crossings, stage.part(0.6, 0.95));
-    repair_lines(segments, pieces);
+    const auto pieces = find_visibility_pieces(segments, crossings, stage.part(0.6, 0.95));
     stage.report(1);
     return trace_lines(segments, pieces, options);
 }

@@ -3,8 +3,10 @@
 //  1. Merge equal vertices, unfold needles, drop triangles without height and duplicates.
 //  2. Merge border vertices within the precision of each other.
 //  3. Find where triangles intersect (cuts) or touch (vertices on edges).
-//  4. Merge ends of cuts with the vertices that they coincide with; find vertices on cuts.
-//  5. Divide sides of triangles and cuts at the vertices on them, and group them by edge.
+//  4. Merge ends of cuts with the vertices that they coincide with; find vertices on cuts; move
+//     vertices on edges onto them.
+//  5. Divide sides of triangles and cuts at the vertices on them, and group them by edge
+//     (edge_building.h).
 #include "visibility/visibility_mesh.h"
 
 #include <Eigen/Geometry>
@@ -21,7 +23,7 @@
 #include "mesh/needles.h"
 #include "system/disjoint_sets.h"
 #include "system/equal_elements.h"
-#include "visibility/surface_contacts.h"
+#include "visibility/edge_building.h"
 #include "visibility/vertex_lookup.h"
 
 namespace laplacian_lines {
@@ -29,7 +31,9 @@ namespace {
 
 using Eigen::Vector3d;
 using Contact = SurfaceContacts::OnEdge;
+using Pair = std::array<std::uint32_t, 2>;  // of vertices
 
+/// Whether all corners are. @throws Error: InvalidMesh
 bool is_finite(const TriangleMesh& mesh, const Triangle& t) {
     return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
         if (v >= mesh.positions.size())
@@ -38,12 +42,14 @@ bool is_finite(const TriangleMesh& mesh, const Triangle& t) {
     });
 }
 
+/// Above the longest side.
 double height_of(const VisibilityMesh& mesh, const Triangle& t) {
     const Vector3d &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
     const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
     return longest > 0 ? (b - a).cross(c - a).norm() / longest : 0;
 }
 
+/// Keeps those for which keep(triangle).
 template <class Keep>
 void keep_triangles(VisibilityMesh& mesh, Keep keep) {
     mesh.triangles =
@@ -68,6 +74,7 @@ std::vector<std::uint32_t> first_equal_triangles(const std::vector<Triangle>& tr
     });
 }
 
+/// Each corner v becomes by[v].
 void replace_vertices(const std::vector<std::uint32_t>& by, VisibilityMesh& mesh) {
     for (Triangle& t : mesh.triangles)
         for (std::uint32_t& v : t)
@@ -82,8 +89,9 @@ void drop_triangles(VisibilityMesh& mesh) {
     keep_triangles(mesh, [&](std::uint32_t t) { return first[t] == t; });
 }
 
-/// Merges pairs of vertices, keeping the smallest number. Returns whether there were any.
-bool weld(const std::vector<std::array<std::uint32_t, 2>>& pairs, VisibilityMesh& mesh) {
+/// Merges the vertices of each pair into the one of the smallest number. Returns whether there were
+/// any.
+bool weld(const std::vector<Pair>& pairs, VisibilityMesh& mesh) {
     if (pairs.empty()) return false;
     DisjointSets sets(mesh.positions.size());
     for (const auto& [a, b] : pairs)
@@ -96,7 +104,6 @@ bool weld(const std::vector<std::array<std::uint32_t, 2>>& pairs, VisibilityMesh
 /// Merges border vertices within the precision of each other.
 bool weld_borders(const std::vector<bool>& on_border, VisibilityMesh& mesh) {
     const VertexLookup places(mesh, [&](std::uint32_t v) { return on_border[v]; });
-    using Pair = std::array<std::uint32_t, 2>;
     const auto find = [&](std::uint32_t v, std::vector<Pair>& pairs) {
         if (!on_border[v]) return;
         places.visit_at(mesh.positions[v], mesh.precision, [&](std::uint32_t other) {
@@ -207,117 +214,26 @@ void straighten(const std::vector<Contact>& on_edges, VisibilityMesh& mesh) {
         }
 }
 
-/// A side of a triangle, or a part of one.
-struct LooseSide {
-    Edge edge;
-    VisibilityMesh::Side side;
-};
-
-/// Appends the parts of a side between the vertices that lie on it. `on_edges`: sorted.
-void divide_side(const VisibilityMesh& mesh, const std::vector<Contact>& on_edges,
-                 std::uint32_t from, std::uint32_t to, std::uint32_t triangle,
-                 std::vector<LooseSide>& parts) {
-    const Edge edge = edge_between(from, to);
-    const auto add = [&](std::uint32_t a, std::uint32_t b) {
-        parts.push_back({edge_between(a, b), {triangle, (a > b) != (from > to)}});
-    };
-    auto contact = std::lower_bound(on_edges.begin(), on_edges.end(), Contact{edge, 0});
-    std::vector<std::pair<double, std::uint32_t>> on;
-    for (; contact != on_edges.end() && contact->edge == edge; ++contact)
-        on.emplace_back((mesh.positions[contact->vertex] - mesh.positions[edge[0]]).squaredNorm(),
-                        contact->vertex);
-    std::sort(on.begin(), on.end());
-    on.erase(std::unique(on.begin(), on.end()), on.end());
-    std::uint32_t last = edge[0];
-    for (const auto& [distance, vertex] : on) {
-        add(last, vertex);
-        last = vertex;
-    }
-    add(last, edge[1]);
-}
-
-/// Groups sides by edge; those of an edge are in the order of the triangles.
-void set_edges(const std::vector<LooseSide>& loose, VisibilityMesh& mesh) {
-    struct Part {
-        std::vector<VisibilityMesh::Edge> edges;
-        std::vector<VisibilityMesh::Side> sides;
-    };
-    const auto key = [](const VisibilityMesh::Side& side) {
-        return std::uint32_t(side.triangle) << 1 | side.is_reversed;
-    };
-    const auto add_edge = [&](const std::uint32_t* begin, const std::uint32_t* end, Part& part) {
-        const auto first = std::ptrdiff_t(part.sides.size());
-        const Edge& edge = loose[*begin].edge;
-        part.edges.push_back({{edge[0], edge[1]}, std::uint32_t(first)});
-        for (const std::uint32_t* i = begin; i != end; ++i)
-            part.sides.push_back(loose[*i].side);
-        std::sort(part.sides.begin() + first, part.sides.end(),
-                  [&](const auto& a, const auto& b) { return key(a) < key(b); });
-        part.sides.erase(
-            std::unique(part.sides.begin() + first, part.sides.end(),
-                        [&](const auto& a, const auto& b) { return key(a) == key(b); }),
-            part.sides.end());
-    };
-    const auto parts = visit_edges<Part>(
-        loose.size(), mesh.positions.size(),
-        [&](std::uint32_t i) -> const Edge& { return loose[i].edge; }, add_edge);
-    for (const Part& part : parts) {
-        const auto first = std::uint32_t(mesh.sides.size());
-        for (VisibilityMesh::Edge edge : part.edges) {
-            edge.first_side += first;
-            mesh.edges.push_back(edge);
-        }
-        mesh.sides.insert(mesh.sides.end(), part.sides.begin(), part.sides.end());
-    }
-    mesh.edges.push_back({{0, 0}, std::uint32_t(mesh.sides.size())});
-}
-
-/// Builds edges from the sides of triangles and from cuts, both of whose triangles lie on both
-/// sides.
-void build_edges(const SurfaceContacts& contacts, VisibilityMesh& mesh) {
-    const auto divide = [&](std::uint32_t side, std::vector<LooseSide>& parts) {
-        divide_side(mesh, contacts.on_edges, begin_of(mesh.triangles, side),
-                    end_of(mesh.triangles, side), side / 3, parts);
-    };
-    auto sides = collect<LooseSide>(3 * mesh.triangles.size(), divide);
-    for (const SurfaceContacts::Cut& cut : contacts.cuts)
-        for (const std::uint32_t triangle : cut.triangles)
-            for (const int i : {0, 1})
-                divide_side(mesh, contacts.on_edges, cut.vertices[i], cut.vertices[1 - i], triangle,
-                            sides);
-    set_edges(sides, mesh);
-}
-
-void find_bodies(VisibilityMesh& mesh) {
-    bool any_touch = false;
-    DisjointSets sets(mesh.triangles.size());
-    for (std::uint32_t e = 0; e < mesh.edge_count(); ++e) {
-        any_touch = any_touch || mesh.side_count(e) > 2;
-        if (mesh.side_count(e) == 2)
-            sets.unite(mesh.sides_of(e)[0].triangle, mesh.sides_of(e)[1].triangle);
-    }
-    if (any_touch) mesh.bodies = sets.take_roots();
-}
-
+/// The steps above. Contacts are found anew until no vertices are at one place, since merging them
+/// changes the triangles.
 void find_edges(VisibilityMesh& mesh, const StageProgress& stage) {
-    replace_vertices(first_equal_positions(mesh.positions), mesh);
+    replace_vertices(first_equal_positions(mesh.positions), mesh);  // 1
     unfold_needles(mesh.positions, mesh.triangles);
     drop_triangles(mesh);
     stage.report(0.3);
-    std::vector<bool> on_border = border_vertices(mesh);
+    std::vector<bool> on_border = border_vertices(mesh);  // 2
     if (weld_borders(on_border, mesh)) on_border = border_vertices(mesh);
     const auto corners = std::uint32_t(mesh.positions.size());
-    SurfaceContacts contacts = find_surface_contacts(mesh, on_border, stage.part(0.4, 0.9));
+    SurfaceContacts contacts = find_surface_contacts(mesh, on_border, stage.part(0.4, 0.9));  // 3
     while (weld(contacts.at_one_place, mesh))
         contacts = find_surface_contacts(mesh, border_vertices(mesh), stage.part(0.9, 0.9));
-    if (!contacts.cuts.empty()) {
+    if (!contacts.cuts.empty()) {  // 4
         weld_ends(corners, mesh, contacts);
         find_on_cuts(mesh, contacts);
     }
     std::sort(contacts.on_edges.begin(), contacts.on_edges.end());
     straighten(contacts.on_edges, mesh);
-    build_edges(contacts, mesh);
-    find_bodies(mesh);
+    build_edges(contacts, mesh);  // 5
     stage.report(1);
 }
 

@@ -42,9 +42,6 @@ std::vector<VisibilityPiece> find_visibility_pieces(const VisibilitySegments& al
 /// The number of the first node that is a crossing.
 std::uint32_t first_crossing_node(const VisibilitySegments& all);
 
-/// Closes hidden gaps below .1 % of D in lines on the surface and hides visible parts below .3 %.
-void repair_lines(const VisibilitySegments& all, std::vector<VisibilityPiece>& pieces);
-
 /// Joins pieces to lines at common nodes: mesh edges, outlines first, so that they close; then the
 /// visible parts of lines on the surface.
 std::vector<ViewLine> trace_lines(const VisibilitySegments& all,

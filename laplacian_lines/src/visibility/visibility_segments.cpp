@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Of what a picture is made, before it is known what is seen:
+//  1. Edges of the mesh: contours, borders, contacts of bodies and creases (EdgeClassifier).
+//  2. Faces seen edge-on, where the turn of the eye decides what is a contour, get one in any case
+//     (EdgeOnFaces).
+//  3. Lines on the surface, segment by segment.
 #include "visibility/visibility_segments.h"
 
 #include <Eigen/Geometry>
@@ -16,7 +21,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kCutOff = 1.001 * kLeastDepth;  // nearer edges are those of clipping
-constexpr double kCrestReach = 1e-3;
+constexpr double kCrestReach = 1e-3;    // D: smoothing moves ridges by up to 6e-4 off the surface
 constexpr double kFlatCosine = 0.9986;  // of 3 degrees: surfaces that continue each other
 
 /// Faces seen edge-on, within the angle by which the eye is turned: whether one faces the eye is

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "options/paper_and_pens.h"
 #include "options/progress_part.h"
 #include "pixels/painting.h"
 #include "sheet/sheet_layout.h"

@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Where views are on the page, and at which scale:
+//  1. Each view has a cell in a table around the front view (view_cells.h).
+//  2. A column is as wide as its views to either side of their middles, a row as high, so that
+//     equal places of the object are level. Marks of sections and names of views need room besides,
+//     which does not grow with the scale.
+//  3. The scale is the options', or the largest usual one at which the table fits on the paper,
+//     upright or lying. Where all views are in perspective, and have none, they fill the paper.
 #include "sheet/sheet_layout.h"
 
 #include <algorithm>
@@ -7,154 +14,31 @@
 #include <optional>
 
 #include "line_drawing/words.h"
+#include "options/paper_and_pens.h"
 #include "sections/section_marks.h"
+#include "sheet/view_cells.h"
 
 namespace line_drawing {
 namespace {
 
 using Eigen::Vector2d;
 
-/// Largest first: 1:2 is 0.5.
-std::vector<double> usual_scales() {
-    std::vector<double> scales;
-    for (const double tens : {1000., 100., 10., 1.})
-        for (const double first : {5., 4., 2., 1.})
-            if (first != 4. || tens == 1.) scales.push_back(first * tens);
-    for (const double tens : {1., 10., 100., 1000., 10000.})
-        for (const double first : {2., 2.5, 3., 4., 5., 10.})
-            if (first != 2.5 || tens > 1) scales.push_back(1 / (first * tens));
-    return scales;
-}
-
-struct Paper {
-    const char* name;
-    double width, height;  // mm, portrait
-};
-constexpr Paper kPapers[] = {{"a5", 148, 210}, {"a4", 210, 297}, {"a3", 297, 420},
-                             {"a2", 420, 594}, {"a1", 594, 841}, {"a0", 841, 1189}};
-
-/// Portrait; none: as large as the drawing.
-std::optional<Vector2d> paper_size(const std::string& name) {
-    if (lower(name) == "fit") return {};
-    for (const Paper& paper : kPapers)
-        if (lower(name) == paper.name) return Vector2d(paper.width, paper.height);
-    refuse("There is no paper \"" + name +
-           "\". Papers are a5, a4, a3, a2, a1, a0, or fit: as large as the drawing.");
-}
-
-constexpr std::array<double, 10> kPenSeries = {0.1, 0.13, 0.18, 0.25, 0.35, 0.5, 0.7, 1, 1.4, 2};
-/// mm on paper: smaller drawings get pens one or two steps finer.
-constexpr double kFullSize = 40, kHalfSize = 28;
-
-/// Pens are in steps of √2.
-double finer(double pen, int steps) {
-    const auto place = std::lower_bound(kPenSeries.begin(), kPenSeries.end(), pen);
-    return kPenSeries[std::size_t(std::max<std::ptrdiff_t>(0, place - kPenSeries.begin() - steps))];
-}
-
-struct Cell {
-    int row, column;
-};
-
-/// The cell of a view around the front view, in first angle.
-Cell cell_of(Side side) {
-    switch (side) {
-        case Side::Back:
-            return {0, 2};
-        case Side::Left:
-            return {0, 1};
-        case Side::Right:
-            return {0, -1};
-        case Side::Top:
-            return {1, 0};
-        case Side::Bottom:
-            return {-1, 0};
-        default:
-            return {0, 0};
-    }
-}
-
-/// Places sections, and views whose cell is occupied: upright ones on the right in the front view's
-/// row, those from above below in its column.
-void place_beside_the_front(const std::vector<DrawnView>& views, UpAxis up,
-                            std::vector<Cell>& cells) {
-    std::vector<bool> is_placed(views.size());
-    int last_row = 0, last_column = 0;
-    for (std::size_t i = 0; i < views.size(); ++i) {
-        const auto is_taken = [&](std::size_t k) {
-            return cells[k].row == cells[i].row && cells[k].column == cells[i].column;
-        };
-        is_placed[i] = !views[i].is_section;
-        for (std::size_t k = 0; k < i; ++k)
-            if (is_placed[k] && is_taken(k)) is_placed[i] = false;
-        if (!is_placed[i]) continue;
-        last_row = std::max(last_row, cells[i].row);
-        last_column = std::max(last_column, cells[i].column);
-    }
-    for (std::size_t i = 0; i < views.size(); ++i) {
-        if (is_placed[i]) continue;
-        const bool is_from_above = std::abs(views[i].frame.towards_viewer[int(up)]) > 0.5;
-        cells[i] = is_from_above ? Cell{++last_row, 0} : Cell{0, ++last_column};
-    }
-}
-
-/// Places sections in rows of so many below the views.
-void place_in_rows(const std::vector<DrawnView>& views, int in_a_row, std::vector<Cell>& cells) {
-    int row = 0, column = 0;
-    for (std::size_t i = 0; i < views.size(); ++i)
-        if (!views[i].is_section) {
-            row = std::max(row, cells[i].row + 1);
-            column = std::min(column, cells[i].column);
-        }
-    int number = 0;
-    for (std::size_t i = 0; i < views.size(); ++i)
-        if (views[i].is_section) {
-            cells[i] = {row + number / in_a_row, column + number % in_a_row};
-            ++number;
-        }
-}
-
-/// `sections_in_a_row`: 0 if they are beside the front view.
-std::vector<Cell> cells_of(const std::vector<DrawnView>& views, const SheetOptions& options,
-                           int sections_in_a_row) {
-    const Arrangement arrangement = options.arrangement;
-    constexpr int in_a_row = 4;
-    std::vector<Cell> cells;
-    int left = 0;
-    for (const DrawnView& view : views) {
-        Cell cell = cell_of(view.frame.side);
-        if (arrangement == Arrangement::ThirdAngle && view.frame.side != Side::Back)
-            cell = {-cell.row, -cell.column};
-        left = std::min(left, cell.column);
-        cells.push_back(cell);
-    }
-    int others = 0;
-    for (std::size_t i = 0; i < views.size(); ++i) {
-        if (views[i].frame.side != Side::Other || views[i].is_section) continue;
-        cells[i] = {2 + others / in_a_row, left + others % in_a_row};
-        ++others;
-    }
-    place_beside_the_front(views, options.up, cells);
-    if (sections_in_a_row > 0) place_in_rows(views, sections_in_a_row, cells);
-    return cells;
-}
-
-/// A row or column: the extents of its views before and behind their centres, mm of the object.
+/// A row or column. Its views are aligned by their middles.
 struct Band {
-    double before = 0, behind = 0;
-    double room = 0;    // for marks at both ends, mm on the sheet
-    double name = 0;    // width of the widest name, likewise
-    double middle = 0;  // position on the sheet, mm, set by set_middles()
+    double before = 0, behind = 0;  // how far views reach from their middles, mm of the object
+    double room = 0;                // for marks at both ends, mm on the sheet
+    double name = 0;                // width of the widest name, mm on the sheet
+    double middle = 0;              // on the sheet, mm, set by set_middles()
 
-    void hold(double b, double a, double r) {
-        before = std::max(before, b);
-        behind = std::max(behind, a);
-        room = std::max(room, r);
+    void hold(double view_before, double view_behind, double view_room) {
+        before = std::max(before, view_before);
+        behind = std::max(behind, view_behind);
+        room = std::max(room, view_room);
     }
 };
-using Bands = std::map<int, Band>;
+using Bands = std::map<int, Band>;  // by the number of the row or column
 
-/// Sets the middles from `start` on; returns the end of the last.
+/// Sets middles at this scale, from `start` on, with gaps; returns the end of the last band.
 double set_middles(Bands& bands, double start, double scale, double gap) {
     double end = start;
     for (auto& [number, band] : bands) {
@@ -173,6 +57,7 @@ bool are_in_perspective(const std::vector<DrawnView>& views) {
                        [](const DrawnView& view) { return view.frame.eye.has_value(); });
 }
 
+/// The table of views, at any scale.
 class Layout {
 public:
     Layout(const std::vector<DrawnView>& views, const SheetOptions& options,
@@ -192,13 +77,14 @@ public:
         }
     }
 
-    /// Without annotations.
+    /// Of all views with their names, without the strip of notes below them.
     Vector2d size_at(double scale) {
         const double below = options_.has_annotations ? 2 * kViewNameHeight : 0;
         return {set_middles(columns_, 0, scale, kViewGap),
                 set_middles(rows_, 0, scale, kViewGap + below) + below};
     }
 
+    /// In the middle of the paper above the strip.
     SheetLayout lay_out(double scale, const Vector2d& paper) {
         const Vector2d size = size_at(scale);
         const double left = (paper.x() - size.x()) / 2;
@@ -217,6 +103,7 @@ private:
     Bands rows_, columns_;
 };
 
+/// For views.
 Vector2d room(const Vector2d& paper) {
     return {paper.x() - 2 * kSheetMargin, paper.y() - 2 * kSheetMargin - kStripHeight};
 }
@@ -231,28 +118,34 @@ std::optional<double> largest_scale(Layout& layout, const Vector2d& paper) {
     return {};
 }
 
-/// 0 if sections are beside the front view, aligned with it: rows below are only used if they
-/// double the scale, or are the only ones that fit.
-int sections_in_a_row(const std::vector<DrawnView>& views, const SheetOptions& options,
-                      const Vector2d& paper) {
+/// The scale at which views fit on the paper, upright or lying: the options', or the largest usual
+/// one. 0 if there is none.
+double possible_scale(Layout& layout, const SheetOptions& options, const Vector2d& upright) {
+    double largest = 0;
+    for (const Vector2d& paper : {upright, Vector2d(upright.reverse())})
+        if (options.scale == 0)
+            largest = std::max(largest, largest_scale(layout, paper).value_or(0));
+        else if (fits(layout.size_at(options.scale), paper))
+            largest = options.scale;
+    return largest;
+}
+
+/// How many sections share a row below the views. 0: they are beside the front view, aligned with
+/// it, unless rows double the scale, or nothing else fits.
+int choose_sections_in_a_row(const std::vector<DrawnView>& views, const SheetOptions& options,
+                             const Vector2d& paper) {
     constexpr double least_gain = 2;
-    const auto sections = int(options.sections.size());
     const auto scale_of = [&](int in_a_row) {
         Layout layout(views, options, in_a_row);
-        double largest = 0;
-        for (const Vector2d& side : {paper, Vector2d(paper.reverse())})
-            largest =
-                std::max(largest, options.scale == 0 ? largest_scale(layout, side).value_or(0)
-                                                     : fits(layout.size_at(options.scale), side));
-        return largest;
+        return possible_scale(layout, options, paper);
     };
-    const double beside = scale_of(0);
     int best = 0;
-    double best_scale = least_gain * beside;
-    for (int in_a_row = 1; in_a_row < sections; ++in_a_row)
-        if (const double scale = scale_of(in_a_row);
-            scale > 0 && scale >= best_scale && (best == 0 || scale > best_scale))
+    double best_scale = least_gain * scale_of(0);
+    for (int in_a_row = 1; in_a_row < int(options.sections.size()); ++in_a_row) {
+        const double scale = scale_of(in_a_row);
+        if (best == 0 ? scale > 0 && scale >= best_scale : scale > best_scale)
             best = in_a_row, best_scale = scale;
+    }
     return best;
 }
 
@@ -264,9 +157,11 @@ SheetLayout lay_out_freely(Layout& layout, double scale) {
                                   size.y() + 2 * kSheetMargin + kStripHeight});
 }
 
-/// The scale at which views just fit; gaps between them do not scale.
+/// The scale at which the table just fits. Its size grows in proportion from some scale on; below,
+/// names may be wider than their views. If what follows from the proportion does not fit, the gaps
+/// and names alone are taken from the paper.
 double filling_scale(Layout& layout, const Vector2d& paper) {
-    constexpr double far = 1e4;  // a scale at which views are wider than their names
+    constexpr double far = 1e4;  // from which on views are wider than their names
     const Vector2d beyond = layout.size_at(far), growing = (layout.size_at(2 * far) - beyond) / far;
     const auto filling = [&](const Vector2d& fixed) {
         return (room(paper) - fixed).cwiseQuotient(growing).minCoeff();
@@ -278,7 +173,7 @@ double filling_scale(Layout& layout, const Vector2d& paper) {
 
 /// For views without scale: as large as the paper allows, A4 if it is not given.
 SheetLayout lay_out_filling(Layout& layout, const std::optional<Vector2d>& paper) {
-    const Vector2d upright = paper.value_or(Vector2d(kPapers[1].width, kPapers[1].height));
+    const Vector2d upright = paper.value_or(*paper_size("a4"));
     const Vector2d lying = upright.reverse();
     const double a = filling_scale(layout, upright), b = filling_scale(layout, lying);
     if (!(std::max(a, b) > 0) || !std::isfinite(std::max(a, b)))
@@ -290,7 +185,7 @@ SheetLayout lay_out_filling(Layout& layout, const std::optional<Vector2d>& paper
     return result;
 }
 
-/// Portrait or landscape, whichever is larger.
+/// Upright or lying, whichever gives the larger scale.
 SheetLayout lay_out_largest(Layout& layout, const Vector2d& upright) {
     const Vector2d lying = upright.reverse();
     const auto a = largest_scale(layout, upright), b = largest_scale(layout, lying);
@@ -319,23 +214,9 @@ SheetLayout lay_out_at(Layout& layout, double scale, const Vector2d& upright,
 
 }  // namespace
 
-Pens pens_for(double size, Pens pens) {
-    const int steps = size >= kFullSize ? 0 : size >= kHalfSize ? 1 : 2;
-    for (double& pen : pens)
-        if (steps > 0 && pen <= kPenSeries.back()) pen = std::min(pen, finer(pen, steps));
-    return pens;
-}
-
-std::vector<const char*> paper_names() {
-    std::vector<const char*> names;
-    for (const Paper& paper : kPapers)
-        names.push_back(paper.name);
-    return names;
-}
-
 SheetLayout lay_out(const std::vector<DrawnView>& views, const SheetOptions& options) {
     const std::optional<Vector2d> paper = paper_size(options.paper);
-    Layout layout(views, options, paper ? sections_in_a_row(views, options, *paper) : 0);
+    Layout layout(views, options, paper ? choose_sections_in_a_row(views, options, *paper) : 0);
     if (are_in_perspective(views)) return lay_out_filling(layout, paper);
     if (!paper) return lay_out_freely(layout, options.scale > 0 ? options.scale : 1);
     if (options.scale > 0) return lay_out_at(layout, options.scale, *paper, options.paper);

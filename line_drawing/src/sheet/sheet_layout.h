@@ -21,10 +21,6 @@ struct SheetLayout {
 /// paper or the views do not fit
 SheetLayout lay_out(const std::vector<DrawnView>& views, const SheetOptions& options);
 
-/// Pens for a drawing whose largest view has this size on paper, mm: one or two steps finer if
-/// small.
-Pens pens_for(double size, Pens pens);
-
 /// Draws names of views, scale bar, projection symbol, title and notes. Adds remarks to the sheet
 /// if texts are too long.
 SheetGroup draw_annotations(const std::vector<DrawnView>& views, const SheetLayout& layout,

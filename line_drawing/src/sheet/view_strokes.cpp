@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "options/paper_and_pens.h"
 #include "options/progress_part.h"
 #include "planes/corners.h"
 #include "sheet/sheet_layout.h"

@@ -13,7 +13,7 @@ namespace meshlab_host {
 /// Null without a GUI. MeshLab does not pass it to decorations.
 MLSceneGLSharedDataContext* scene_of(const MeshModel& mesh);
 
-/// For a document that exists.
+/// The same for a document, which has to exist.
 MLSceneGLSharedDataContext* scene_of(const MeshDocument& document);
 
 /// The document of `mesh`. Null if there is none, as without a GUI. GUI thread only.

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sheet/view_cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace line_drawing {
+namespace {
+
+constexpr int kOthersInARow = 4;
+
+/// Around the front view, in first angle.
+Cell cell_of(Side side) {
+    switch (side) {
+        case Side::Back:
+            return {0, 2};
+        case Side::Left:
+            return {0, 1};
+        case Side::Right:
+            return {0, -1};
+        case Side::Top:
+            return {1, 0};
+        case Side::Bottom:
+            return {-1, 0};
+        default:
+            return {0, 0};
+    }
+}
+
+/// In third angle the sides change places, but the back stays on the right.
+Cell cell_of(Side side, Arrangement arrangement) {
+    const Cell cell = cell_of(side);
+    const bool is_swapped = arrangement == Arrangement::ThirdAngle && side != Side::Back;
+    return is_swapped ? Cell{-cell.row, -cell.column} : cell;
+}
+
+/// Views of no side, in rows from the second below the front view on.
+void place_others(const std::vector<DrawnView>& views, std::vector<Cell>& cells) {
+    int left = 0, others = 0;
+    for (const Cell& cell : cells)
+        left = std::min(left, cell.column);
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        if (views[i].frame.side != Side::Other || views[i].is_section) continue;
+        cells[i] = {2 + others / kOthersInARow, left + others % kOthersInARow};
+        ++others;
+    }
+}
+
+/// Sections, and views whose cell is taken.
+void place_beside_the_front(const std::vector<DrawnView>& views, UpAxis up,
+                            std::vector<Cell>& cells) {
+    std::set<std::pair<int, int>> taken;
+    std::vector<std::size_t> waiting;
+    int last_row = 0, last_column = 0;
+    for (std::size_t i = 0; i < views.size(); ++i)
+        if (!views[i].is_section && taken.emplace(cells[i].row, cells[i].column).second) {
+            last_row = std::max(last_row, cells[i].row);
+            last_column = std::max(last_column, cells[i].column);
+        } else {
+            waiting.push_back(i);
+        }
+    for (const std::size_t i : waiting) {
+        const bool is_vertical = std::abs(views[i].frame.towards_viewer[int(up)]) > 0.5;
+        cells[i] = is_vertical ? Cell{++last_row, 0} : Cell{0, ++last_column};
+    }
+}
+
+/// Sections in rows below all views.
+void place_in_rows(const std::vector<DrawnView>& views, int in_a_row, std::vector<Cell>& cells) {
+    int row = 0, column = 0, sections = 0;
+    for (std::size_t i = 0; i < views.size(); ++i)
+        if (!views[i].is_section) {
+            row = std::max(row, cells[i].row + 1);
+            column = std::min(column, cells[i].column);
+        }
+    for (std::size_t i = 0; i < views.size(); ++i)
+        if (views[i].is_section) {
+            cells[i] = {row + sections / in_a_row, column + sections % in_a_row};
+            ++sections;
+        }
+}
+
+}  // namespace
+
+std::vector<Cell> cells_of(const std::vector<DrawnView>& views, const SheetOptions& options,
+                           int sections_in_a_row) {
+    std::vector<Cell> cells;
+    for (const DrawnView& view : views)
+        cells.push_back(cell_of(view.frame.side, options.arrangement));
+    place_others(views, cells);
+    place_beside_the_front(views, options.up, cells);
+    if (sections_in_a_row > 0) place_in_rows(views, sections_in_a_row, cells);
+    return cells;
+}
+
+}  // namespace line_drawing
