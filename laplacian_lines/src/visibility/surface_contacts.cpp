@@ -17,7 +17,6 @@
 
 #include "mesh/box_tree.h"
 #include "mesh/conforming.h"
-#include "mesh/corner_table.h"
 
 namespace laplacian_lines {
 namespace {
@@ -268,12 +267,9 @@ void add_cuts_along_edges(Found& found) {
 }  // namespace
 
 std::vector<bool> border_vertices(const VisibilityMesh& mesh) {
-    const CornerTable table(mesh.triangles, mesh.positions.size());
     std::vector<bool> on_border(mesh.positions.size());
-    for (std::uint32_t side = 0; side < table.side_count(); ++side)
-        if (table.across(side) == CornerTable::kBorder)
-            for (const std::uint32_t v : edge_of(mesh.triangles, side))
-                on_border[v] = true;
+    for (const Edge& edge : border_edges(mesh.triangles, mesh.positions.size()))
+        on_border[edge[0]] = on_border[edge[1]] = true;
     return on_border;
 }
 
