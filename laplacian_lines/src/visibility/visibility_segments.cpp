@@ -16,8 +16,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kCutOff = 1.001 * kLeastDepth;  // nearer edges are those of clipping
-constexpr double kCrestReach = 1e-3;
-constexpr double kFlatCosine = 0.9986;  // of 3 degrees: surfaces that continue each other
+constexpr double kFlatCosine = 0.9986;           // of 3 degrees: surfaces that continue each other
 
 /// Faces seen edge-on, within the angle by which the eye is turned: whether one faces the eye is
 /// chance. If it faces away, it has a contour in front. If it faces the eye and is tangent to its
@@ -274,12 +273,6 @@ void append_line(const LineSet& set, const Polyline& line, VisibilitySegments& a
 }
 
 }  // namespace
-
-double reach_of(const VisibilityMesh& mesh, const VisibilitySegment& segment) {
-    if (segment.edge != VisibilitySegment::kNone) return mesh.precision;
-    const bool is_crest = !describe(segment.kind).depends_on_view;
-    return mesh.line_precision + (is_crest ? kCrestReach : 0);
-}
 
 bool is_edge_kind(LineKind kind) {
     return describe(kind).is_outline || kind == LineKind::Crease;
