@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Printed drawings of views: a view that has not changed for a moment is drawn in a thread, one
+// after the other; what it draws is dropped if the view has changed meanwhile.
 #include "printed_views.h"
 
 #include <QCoreApplication>

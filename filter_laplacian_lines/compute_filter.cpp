@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The filter that computes the field and stores it in the mesh's attributes; its log tells what was
+// done to the mesh.
 #include "filters.h"
 
 #include <QElapsedTimer>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The filter that makes a layer of lines: the strokes that a drawing of the view would have, or all
+// lines of the view, also hidden ones.
 #include "filters.h"
 
 #include <Eigen/LU>
@@ -189,14 +191,13 @@ void run(const meshlab_host::FilterRun& run) {
 }  // namespace
 
 meshlab_host::Filter polyline_filter() {
-    return {{kFilterName, "generate_polyline_from_laplacian_lines",
-             QStringLiteral("Creates a layer with the lines of the current layer as seen from one "
-                            "view, that of the "
-                            "window or another: vertices and edges, for other filters and programs "
-                            "(OBJ, DXF), with "
-                            "attributes <b>ll_...</b> that tell more about them."),
-             meshlab_host::FilterInterface::Normal | meshlab_host::FilterInterface::Layer,
-             MeshModel::MM_FACENUMBER},
-            list_parameters,
-            run};
+    return {
+        {kFilterName, "generate_polyline_from_laplacian_lines",
+         "Creates a layer with the lines of the current layer as seen from one view, that of the "
+         "window or another: vertices and edges, for other filters and programs (OBJ, DXF), with "
+         "attributes <b>ll_...</b> that tell more about them.",
+         meshlab_host::FilterInterface::Normal | meshlab_host::FilterInterface::Layer,
+         MeshModel::MM_FACENUMBER},
+        list_parameters,
+        run};
 }

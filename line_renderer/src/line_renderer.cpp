@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Draws lines by instances of a quad, one for each segment (line_shaders.cpp): first the hidden
+// lines, if they are wanted, as what is behind the surface, then those that are seen.
 #include "line_renderer/line_renderer.h"
 
 #include <Eigen/Geometry>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Depths of the surfaces that may hide lines, as a texture: a copy of MeshLab's depth buffer where
+// that holds these surfaces alone, else drawn by ourselves, once as long as nothing changes.
 #include "line_renderer/surface_depth.h"
 
 #include <algorithm>

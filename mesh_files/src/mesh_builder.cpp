@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Faces of any number of corners become triangles, once all vertices are read: flat ones, and those
+// of many corners, by cutting off ears, others by the triangulation of least area.
 #include "mesh_builder.h"
 
 #include <Eigen/Geometry>
@@ -15,10 +17,10 @@ using Eigen::Vector3d;
 using laplacian_lines::Triangle;
 using laplacian_lines::TriangleMesh;
 
-constexpr std::size_t kMostWork = 1000000000;  // seconds
+constexpr std::size_t kMostWork = 1000000000;  // corners visited: some seconds
 constexpr double kPlanar = 1e-6;               // of the size; as far as coordinates are rounded
 constexpr std::size_t kMostLeastArea = 32;     // corners: the cube of them is worked
-constexpr double kFolded = 1000;
+constexpr double kFolded = 1000;               // times its area counts a folded triangle
 
 /// Newell's: summed over the edges, twice the area long.
 Vector3d normal_of(const std::vector<Vector3d>& polygon) {

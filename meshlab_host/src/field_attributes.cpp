@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The field in a mesh's attributes: a column is one or two attributes of the vertices, and a record
+// of the mesh has the options, a stamp of the geometry, and a hash of the attributes, which tells
+// whether another program changed them. Deleted vertices keep their places in MeshLab, but are not
+// in the field.
 #include "meshlab_host/field_attributes.h"
 
 #include <QStringList>
@@ -66,18 +70,18 @@ Columns recorded_columns(const FieldRecord& record) {
     return columns;
 }
 
-/// By live index (see mesh_conversion.h). Attributes are read one by one, the much larger vertices
-/// at most once.
-std::vector<std::uint32_t> live_slots(const CMeshO& mesh) {
-    std::vector<std::uint32_t> live_places(std::size_t(mesh.vn), 0);
+/// Places of the vertices that are not deleted, in order. Found once: vertices are much larger than
+/// their attributes.
+std::vector<std::uint32_t> live_places(const CMeshO& mesh) {
+    std::vector<std::uint32_t> places(std::size_t(mesh.vn), 0);
     if (!has_deleted_vertices(mesh)) {
-        std::iota(live_places.begin(), live_places.end(), 0u);
-        return live_places;
+        std::iota(places.begin(), places.end(), 0u);
+        return places;
     }
-    auto next = live_places.begin();
+    auto next = places.begin();
     for (std::size_t slot = 0; slot < mesh.vert.size(); ++slot)
         if (!mesh.vert[slot].IsD()) *next++ = std::uint32_t(slot);
-    return live_places;
+    return places;
 }
 
 /// Whether all are there, with their types and a value per slot.
@@ -96,20 +100,20 @@ FieldStatus status_of_names(const CMeshO& mesh, const Columns& columns) {
 
 /// Of live vertices.
 std::uint64_t content_hash(const CMeshO& mesh, const Columns& columns) {
-    const std::vector<std::uint32_t> live_places = live_slots(mesh);
+    const std::vector<std::uint32_t> places = live_places(mesh);
     Hash hash(3);
     visit_attributes(columns,
                      [&](const FieldColumn&, const FieldAttribute& attribute, int, auto stored) {
                          using Value = typename decltype(stored)::Value;
                          const auto& values = *find_vertex_values<Value>(mesh, attribute.name);
-                         for (const std::uint32_t slot : live_places)
-                             hash.add(stored.word(values[slot]));
+                         for (const std::uint32_t place : places)
+                             hash.add(stored.word(values[place]));
                      });
     return hash.value();
 }
 
 void write_columns(CMeshO& mesh, const Columns& columns, const Field& field) {
-    const std::vector<std::uint32_t> live_places = live_slots(mesh);
+    const std::vector<std::uint32_t> places = live_places(mesh);
     const auto ensure_values = [&](const FieldAttribute& attribute, auto stored) -> auto& {
         return ensure_vertex_values<typename decltype(stored)::Value>(mesh, attribute.name);
     };
@@ -121,8 +125,8 @@ void write_columns(CMeshO& mesh, const Columns& columns, const Field& field) {
         const float zero[3] = {};
         if (has_deleted_vertices(mesh)) std::fill(values.begin(), values.end(), stored.from(zero));
         const float* floats = column.read(field) + first;
-        for (std::size_t live = 0; live < live_places.size(); ++live)
-            values[live_places[live]] = stored.from(floats + live * std::size_t(column.floats));
+        for (std::size_t live = 0; live < places.size(); ++live)
+            values[places[live]] = stored.from(floats + live * std::size_t(column.floats));
     });
 }
 
@@ -169,17 +173,17 @@ std::optional<Field> read_field(const CMeshO& mesh, const GeometryStamp& now) {
     if (field_status(mesh, now) != FieldStatus::Current) return std::nullopt;
     const FieldRecord record = *read_field_record(mesh);
     const Columns columns = recorded_columns(record);
-    const std::vector<std::uint32_t> live_places = live_slots(mesh);
+    const std::vector<std::uint32_t> places = live_places(mesh);
     Field field;
     for (const FieldColumn& column : columns)
-        column.resize(field, live_places.size());
+        column.resize(field, places.size());
     visit_attributes(columns, [&](const FieldColumn& column, const FieldAttribute& attribute,
                                   int first, auto stored) {
         using Value = typename decltype(stored)::Value;
         const auto& values = *find_vertex_values<Value>(mesh, attribute.name);
         float* floats = column.write(field) + first;
-        for (std::size_t live = 0; live < live_places.size(); ++live)
-            stored.to(values[live_places[live]], floats + live * std::size_t(column.floats));
+        for (std::size_t live = 0; live < places.size(); ++live)
+            stored.to(values[places[live]], floats + live * std::size_t(column.floats));
     });
     field.scale = record.scale;
     field.report = record.report;

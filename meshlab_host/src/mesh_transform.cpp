@@ -66,7 +66,7 @@ void apply_transform(const Eigen::Matrix4d& layer, laplacian_lines::PrecomputeOp
     if (!field) return;
     if (const std::optional<Similarity> similarity = similarity_of(layer))
         return apply_transform(*similarity, *field);
-    options.kernel_size *= mean_scale(layer);
+    options.kernel_size *= mean_scale(layer);  // lengths now depend on the direction
     field = laplacian_lines::precompute(mesh, options, progress);
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Options as MeshLab's parameters, and back: numbers as they were written, not as floats have them;
+// values out of range are refused in the option's own words.
 #include "meshlab_host/parameters.h"
 
 #include <QColor>

@@ -16,6 +16,7 @@
 #include "laplacian_lines/precompute.h"
 #include "laplacian_lines/threads.h"
 #include "line_drawing/make_sheet.h"
+#include "line_drawing/view_painter.h"
 #include "mesh_files/mesh_file.h"
 
 namespace {
@@ -24,6 +25,7 @@ using namespace laplacian_lines;
 
 constexpr int kEyes = 24;
 constexpr double kOrbitRadius = 1.25;  // in diagonals
+constexpr int kWindow = 1000;          // pixels
 
 TriangleMesh read_mesh(const std::string& name) {
     const auto format = mesh_files::format_of(name.substr(name.rfind('.') + 1));
@@ -46,6 +48,26 @@ std::vector<View> orbit(const TriangleMesh& mesh) {
                                                              direction.normalized()));
     }
     return views;
+}
+
+/// A window around the mesh for an eye, in perspective.
+line_drawing::WindowView window_of(const Eigen::Vector3d& eye, const TriangleMesh& mesh) {
+    const Eigen::Vector3d away = eye - line_drawing::bounds_of(mesh).center();
+    line_drawing::WindowView window;
+    line_drawing::ViewFrame& frame = window.frame;
+    frame.towards_viewer = away.normalized();
+    frame.right = Eigen::Vector3d::UnitY().cross(away).normalized();
+    frame.up = frame.towards_viewer.cross(frame.right);
+    frame.eye = eye;
+    Eigen::Matrix4d to_eye = Eigen::Matrix4d::Identity(), projection = to_eye;
+    to_eye.topLeftCorner<3, 3>() << frame.right.transpose(), frame.up.transpose(),
+        frame.towards_viewer.transpose();
+    to_eye.topRightCorner<3, 1>() = -to_eye.topLeftCorner<3, 3>() * eye;
+    projection.topLeftCorner<2, 2>() *= 2 * kOrbitRadius;  // the diagonal fills it
+    projection.bottomRows<2>() << 0, 0, -1, -1, 0, 0, -1, 0;
+    window.to_clip = projection * to_eye;
+    window.size = {kWindow, kWindow};
+    return window;
 }
 
 /// All zeros of n·l in one loop over the triangles, in floats and on one thread: nothing is
@@ -140,6 +162,22 @@ void add_once_a_mesh(const Subject& of) {
              [&of, options] { line_drawing::make_sheet(of.mesh, of.field, options); });
 }
 
+/// What a window draws when it comes to rest, once its mesh is ready.
+void add_view_at_rest(const Subject& of) {
+    std::vector<line_drawing::WindowView> windows;
+    for (const View& view : of.views)
+        windows.push_back(window_of(view.eye, of.mesh));
+    auto painter = std::make_shared<line_drawing::ViewPainter>(
+        line_drawing::Objects{{of.mesh, &of.field, {}, &of.extractor}});
+    add("view_at_rest",
+        [painter, windows](std::size_t i) {
+            painter->paint(windows[i % windows.size()], {}, {line_drawing::Ink()}, true);
+        })
+        ->Unit(benchmark::kMillisecond)
+        ->MeasureProcessCPUTime()
+        ->UseRealTime();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -156,6 +194,7 @@ int main(int argc, char** argv) try {
     benchmark::AddCustomContext("extractor, bytes a vertex",
                                 std::to_string(int(bytes / double(mesh.positions.size()))));
     add_once_a_mesh(plain);
+    add_view_at_rest(plain);
     add_redraws(plain, full);
     benchmark::RunSpecifiedBenchmarks();
 } catch (const std::exception& error) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+
 #include <QAction>
 #include <QGLWidget>
 #include <QMainWindow>
@@ -9,29 +10,30 @@
 
 class MeshDocument;
 
-// MeshLab's widgets by class name: the executable exports no symbols.
+/// MeshLab's widgets by class name: the executable exports no symbols.
 namespace driver {
 
-QMainWindow* main_window();          // null before it exists
-QMainWindow* require_main_window();  // CommandError when there is none
+QMainWindow* main_window();          ///< null before it exists
+QMainWindow* require_main_window();  ///< CommandError when there is none
 
-// The chosen GL view of the current document, counted from upper left to lower right; the first by
-// default. Null when there is none.
+/// The chosen GL view of the current document, counted from upper left to lower right; the first by
+/// default. Null when there is none.
 QGLWidget* view();
 QGLWidget* require_view();
 void choose_view(int index);
-MeshDocument* shown_document();  // the view's; null without one
+MeshDocument* shown_document();  ///< the view's; null without one
 
-QWidget* filter_dialog();                      // CommandError when none is open
-QAction* require_action(const QString& text);  // without '&' and shortcut; CommandError
+QWidget* filter_dialog();                      ///< CommandError when none is open
+QAction* require_action(const QString& text);  ///< without '&' and shortcut; CommandError
 void click_button(QWidget* container, const QString& text);
-QString without_mnemonic(QString text);  // no '&', no shortcut
+QString without_mnemonic(QString text);  ///< no '&', no shortcut
 
-QString describe_box(QWidget* modal);     // title and text, on one line
-bool accept_options_box(QWidget* modal);  // of a reader of meshes, as they are; false: another box
-void answer_box(QWidget* modal);          // yes, OK, or closed
-QStringList take_answered_texts();        // of the boxes answered since the last call
+QString describe_box(QWidget* modal);  ///< title and text, on one line
+/// Accepts the options of a reader of meshes as they are; false if it is another box.
+bool accept_options_box(QWidget* modal);
+void answer_box(QWidget* modal);    ///< yes, OK, or closed
+QStringList take_answered_texts();  ///< of the boxes answered since the last call
 
-QString log_text();  // all of MeshLab's log panel; CommandError when there is none
+QString log_text();  ///< all of MeshLab's log panel; CommandError when there is none
 
 }  // namespace driver

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "process.h"
+
 #include <unistd.h>
+
 #include <csignal>
 #include <cstdio>
 #include <cstring>

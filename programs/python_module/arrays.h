@@ -23,7 +23,7 @@ using Triangles = Rows<std::uint32_t, 3>;
 laplacian_lines::TriangleMesh mesh_of(const Positions& positions, const Triangles& triangles);
 /// Positions and triangles.
 nanobind::tuple arrays_of(const laplacian_lines::TriangleMesh& mesh);
-/// By attribute names of kFieldColumns.h: (vertices, 3) or (vertices,).
+/// By attribute names of field_columns.h: (vertices, 3) or (vertices,).
 nanobind::dict arrays_of(const laplacian_lines::Field& field);
 /// By the names in laplacian_lines/polylines.py.
 nanobind::dict arrays_of(const std::vector<laplacian_lines::ViewLine>& lines);

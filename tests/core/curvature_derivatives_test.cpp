@@ -104,8 +104,8 @@ TEST(SmoothCurvatures, ConvergeToTheTruthAsDerivativesDo) {
     const struct {
         const char* name;
         AnalyticMesh (*make)(int level);
-        double curvatures, derivatives,
-            ratio;  // errors of the coarse one; of C, the fine one's share
+        double curvatures, derivatives;  // most errors of the coarse one
+        double ratio;                    // of C: the fine one's error in the coarse one's
     } families[] = {
         {"torus, jitter .25", [](int l) { return test_meshes::torus(80 << l, 40 << l, 0.25); },
          0.08, 0.24, 0.4},

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The field by its definitions alone: sums over all pairs of vertices, with no tree and no grid.
 #include "reference.h"
 
 #include <Eigen/Geometry>
@@ -35,10 +36,21 @@ double weight(NormalWeighting weighting, const Eigen::Vector3d& u, const Eigen::
     return u.cross(v).norm();
 }
 
+constexpr int kPasses = 10;    // as PrecomputeOptions::kernel_mode has it
+constexpr double kCutoff = 3;  // deviations, beyond which smoothing takes no normals
+
 /// 1 for equal normals, 0 for opposite ones, smooth in the cosine.
 double facing_weight(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     const double s = (1 + a.dot(b)) / 2;
     return s * s * (3 - 2 * s);
+}
+
+std::vector<double> masses(const TriangleMesh& mesh) {
+    std::vector<double> m(mesh.positions.size(), 0);
+    for_each_corner(mesh, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        m[a] += area_vector(mesh, a, b, c).norm() / 3;
+    });
+    return m;
 }
 
 }  // namespace
@@ -57,18 +69,6 @@ double diagonal(const TriangleMesh& mesh) {
         box.extend(p);
     return box.diagonal().norm();
 }
-
-namespace {
-
-std::vector<double> masses(const TriangleMesh& mesh) {
-    std::vector<double> m(mesh.positions.size(), 0);
-    for_each_corner(mesh, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        m[a] += area_vector(mesh, a, b, c).norm() / 3;
-    });
-    return m;
-}
-
-}  // namespace
 
 Vectors normals(const TriangleMesh& mesh, NormalWeighting weighting) {
     Vectors n(mesh.positions.size(), Eigen::Vector3d::Zero());
@@ -91,7 +91,7 @@ std::vector<double> relative_sizes(const TriangleMesh& mesh) {
     });
     for (std::size_t v = 0; v < sizes.size(); ++v)
         sizes[v] /= counts[v];
-    for (int pass = 0; pass < 10; ++pass) {
+    for (int pass = 0; pass < kPasses; ++pass) {
         std::vector<double> sums = sizes;
         for_each_corner(mesh, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
             sums[a] += sizes[b] + sizes[c];
@@ -113,7 +113,7 @@ Vectors smoothed(const TriangleMesh& mesh, const Vectors& normals, double sigma,
     for (std::size_t p = 0; p < normals.size(); ++p) {
         for (std::size_t q = 0; q < normals.size(); ++q) {
             const double distance = (mesh.positions[q] - mesh.positions[p]).norm() / sigma;
-            if (distance > 3) continue;
+            if (distance > kCutoff) continue;
             double w =
                 m[q] * facing_weight(normals[q], normals[p]) * std::exp(-distance * distance / 2);
             if (chord > 0)

@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The mesh as a redraw reads it, see cluster_data.h:
+//  1. It is cut into clusters of neighbours, and what is across their borders is noted.
+//  2. It is judged as a whole: sheet or body, contours along edges or not, what is convex and what
+//     has no feature of its own.
+//  3. Each cluster gets a place in one block of memory.
+//  4. Clusters are written, several at once: triangles, vertices, the linear forms n·v and ΔI, and
+//     bounds of the normals, by which a redraw skips what faces away.
 #include "clusters/cluster_building.h"
 
 #include <Eigen/Eigenvalues>

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Clusters of neighbouring triangles: the mesh is halved at the median of its longest axis until a
+// part has few enough triangles, vertices and edges to the outside; several threads take the parts
+// after the first halvings. Then edges between clusters get numbers, at which a redraw joins lines.
 #include "clusters/cluster_partition.h"
 
 #include <Eigen/Geometry>

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What an extractor keeps of a mesh and its field: clusters (cluster_building.cpp), the linear
+// forms of Δn, and records of S̄ and C if the field has them, all in local coordinates and within
+// limits, so that no product overflows.
 #include "clusters/extractor_data.h"
 
 #include <algorithm>

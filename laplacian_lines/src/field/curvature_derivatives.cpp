@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// C, the derivative of the shape operator S along the surface, and S̄, S smoothed, for the kinds of
+// lines that need them:
+//  1. Around each vertex, a linear function of the tangent plane is fitted to S of its neighbours:
+//     S̄ is its value within a small radius, C its slope within a larger one.
+//  2. Where too few neighbours are in reach, C is the mean of the differences within the triangles
+//     at the vertex.
+//  3. Both go back to the mesh's unit, and to vertices that were left out or welded.
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +24,7 @@ namespace {
 constexpr double kLargestFloat = 1e38;
 constexpr double kSmoothed = 0.3;  // of the time
 
-// Radius R for C, in derivative_kernel(): weights spread like a kernel of 0.85 √h.
+// Radius R for C, in derivative_kernel(): (1 − d²/R²)² spreads like a kernel of 0.85 √h.
 constexpr double kDerivativeReach = 3.4;
 // Largest radius for C, in mean edges: more is slower, not better. S̄'s is reduced by the same
 // factor.
@@ -40,7 +47,7 @@ struct TensorFit {
     CubicForm slopes;       ///< made symmetric
 };
 
-/// Slopes are per radius.
+/// The fit of least squares from its sums; slopes are per radius.
 TensorFit fit_of(const TensorSums& sums, std::size_t lane) {
     double n[TensorSums::kNumbers];
     for (int i = 0; i < TensorSums::kNumbers; ++i)

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// From a mesh to its field: what a redraw needs to know of each vertex, whatever the eye. The steps
+// are told in precompute(), the quantities are those of the paper: √h, n, S, Δn.
 #include "laplacian_lines/precompute.h"
 
 #include <algorithm>

@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// S, the change of the normal along the surface, by one of two ways:
+//  1. fit_triangles(): in each triangle the tensor that best maps its edges to the changes of the
+//     normals along them, averaged at each vertex after turning it into the vertex's plane
+//     (S. Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle Meshes", 2004).
+//  2. fit_balls(): at each vertex the tensor that best maps the places of the vertices in a ball to
+//     the changes of their normals (Eq. 3 of the paper).
+// Then S is averaged with its neighbours.
 #include "field/field_steps.h"
 
 #include <Eigen/Dense>

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Sums over the neighbours q of a vertex p for curvature_derivatives.cpp, several vertices at a
+// time: of w, of w times 1, x, y, x², x y, y², and of w S times 1, x, y; x and y are q's place in
+// p's tangent plane, in radii. w = m (1 − d²)² facing_weight().
 #include "field/tensor_slopes.h"
 
 #include "system/simd_sets.h"

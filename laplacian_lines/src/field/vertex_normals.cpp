@@ -2,6 +2,7 @@
 #include "field/field_steps.h"
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 #include "system/large_array.h"
 

@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// T-junctions: a vertex on the border of a neighbouring triangle leaves the surface open there.
+//  1. Vertices on border sides are found, within rounding.
+//  2. Sides that they cut are kept if a part of one is an edge of another triangle, so that the cut
+//     joins them; surfaces that only touch stay apart.
+//  3. Triangles are split at the cuts.
+// stitch_cuts() finds vertices to weld: those at one place, at an edge whose two triangles have
+// other numbers there.
 #include "mesh/conforming.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -10,9 +18,9 @@
 
 #include "mesh/bounding_box.h"
 #include "mesh/box_tree.h"
-#include "mesh/corner_table.h"
 #include "system/disjoint_sets.h"
 #include "system/equal_elements.h"
+#include "system/large_array.h"
 
 namespace laplacian_lines {
 namespace {
@@ -121,6 +129,33 @@ void cut_triangle(const Triangle& t, unsigned sides, const Places& places, const
     parts.push_back(t);
 }
 
+/// Of the edge of a side, with the sign of its direction.
+std::uint64_t signed_hash(const std::vector<Triangle>& triangles, std::uint32_t side) {
+    const auto [smaller, larger] = edge_of(triangles, side);
+    const std::uint64_t hash = mix_hash(0, std::uint64_t(smaller) << 32 | larger);
+    return begin_of(triangles, side) == smaller ? hash : -hash;
+}
+
+/// Sides of edges that triangles do not pass as often in one direction as in the other, at borders
+/// and between triangles of opposite orientation, and of all other edges with the same smaller
+/// vertex in `at_places`, which is `triangles` or with_places() of them: of an edge between two
+/// positions, either all sides or none. Ascending.
+std::vector<std::uint32_t> sides_at_borders(const std::vector<Triangle>& triangles,
+                                            const std::vector<Triangle>& at_places,
+                                            std::size_t vertices) {
+    std::vector<std::uint64_t> sums = large_array<std::uint64_t>(vertices);
+    const auto sum_of = [&](std::uint32_t side) -> std::uint64_t& {
+        return sums[edge_of(at_places, side)[0]];
+    };
+    for_each_element(triangles.size(), [&](std::size_t t) {
+        for (auto side = std::uint32_t(3 * t); side < 3 * t + 3; ++side)
+            __atomic_fetch_add(&sum_of(side), signed_hash(triangles, side), __ATOMIC_RELAXED);
+    });
+    return collect<std::uint32_t>(3 * triangles.size(), [&](std::uint32_t side, auto& found) {
+        if (sum_of(side) != 0) found.push_back(side);
+    });
+}
+
 std::vector<Triangle> with_places(std::vector<Triangle> triangles,
                                   const std::vector<std::uint32_t>& place_of) {
     for_each_element(triangles.size(), [&](std::size_t t) {
@@ -128,6 +163,21 @@ std::vector<Triangle> with_places(std::vector<Triangle> triangles,
             v = place_of[v];
     });
     return triangles;
+}
+
+/// The two sides of each edge between positions that has two, on different edges between vertices.
+std::vector<std::array<std::uint32_t, 2>> find_seams(const std::vector<Triangle>& triangles,
+                                                     const std::vector<Triangle>& at_places,
+                                                     std::size_t vertices) {
+    using Seams = std::vector<std::array<std::uint32_t, 2>>;
+    const std::vector<std::uint32_t> open = sides_at_borders(triangles, at_places, vertices);
+    const auto add = [&](const std::uint32_t* begin, const std::uint32_t* end, Seams& found) {
+        if (end - begin != 2) return;
+        const std::uint32_t a = open[begin[0]], b = open[begin[1]];
+        if (edge_of(triangles, a) != edge_of(triangles, b)) found.push_back({a, b});
+    };
+    return concatenate(visit_edges<Seams>(
+        open.size(), vertices, [&](std::uint32_t i) { return edge_of(at_places, open[i]); }, add));
 }
 
 /// Whether two triangles with the same direction along an edge lie on each other, instead of being
@@ -175,27 +225,28 @@ Precision precision_of(const std::vector<Vector3d>& positions,
 bool is_closed(const std::vector<Triangle>& triangles) {
     const auto of_block = [&](std::size_t begin, std::size_t end) {
         std::uint64_t sum = 0;
-        for (std::size_t t = begin; t < end; ++t)
-            for (unsigned k = 0; k < 3; ++k) {
-                const std::uint64_t u = triangles[t][k], v = triangles[t][(k + 1) % 3];
-                const std::uint64_t hash = mix_hash(0, std::min(u, v) << 32 | std::max(u, v));
-                sum += u < v ? hash : -hash;
-            }
+        for (auto side = std::uint32_t(3 * begin); side < 3 * end; ++side)
+            sum += signed_hash(triangles, side);
         return sum;
     };
     return join_blocks(triangles.size(), std::uint64_t(0), of_block, std::plus<>()) == 0;
 }
 
+std::vector<Edge> border_edges(const std::vector<Triangle>& triangles, std::size_t vertices) {
+    const std::vector<std::uint32_t> open = sides_at_borders(triangles, triangles, vertices);
+    const auto of = [&](std::uint32_t i) { return edge_of(triangles, open[i]); };
+    const auto add = [&](const std::uint32_t* begin, const std::uint32_t* end,
+                         std::vector<Edge>& found) {
+        if (end - begin == 1) found.push_back(of(*begin));
+    };
+    return concatenate(visit_edges<std::vector<Edge>>(open.size(), vertices, of, add));
+}
+
 void make_conforming(const std::vector<Vector3d>& positions,
                      const std::vector<std::uint32_t>& place_of, std::vector<Triangle>& triangles) {
-    const std::vector<Triangle> at_places = with_places(triangles, place_of);
-    if (is_closed(at_places)) return;
-    const CornerTable table(at_places, positions.size());
-    const auto borders =
-        collect<Edge>(table.side_count(), [&](std::uint32_t side, std::vector<Edge>& found) {
-            if (table.across(side) == CornerTable::kBorder)
-                found.push_back(edge_of(at_places, side));
-        });
+    const std::vector<Edge> borders =
+        border_edges(with_places(triangles, place_of), positions.size());
+    if (borders.empty()) return;
     const Eigen::AlignedBox3d box = bounding_box(positions, triangles);
     Cuts cuts = find_cuts(positions, borders, box,
                           precision_of(positions, triangles, box.diagonal().norm()).of_coordinates);
@@ -213,13 +264,10 @@ std::vector<std::uint32_t> stitch_cuts(const std::vector<Vector3d>& positions,
                                        const std::vector<std::uint32_t>& place_of,
                                        const std::vector<Triangle>& triangles) {
     const std::vector<Triangle> at_places = with_places(triangles, place_of);
-    const CornerTable table(at_places, positions.size());
+    if (at_places == triangles) return {};
     DisjointSets sets(positions.size());
     bool any = false;
-    for (std::uint32_t a = 0; a < table.side_count(); ++a) {
-        const std::uint32_t b = table.across(a);
-        if (!table.has_neighbour(a) || b < a || edge_of(triangles, a) == edge_of(triangles, b))
-            continue;
+    for (const auto& [a, b] : find_seams(triangles, at_places, positions.size())) {
         const bool agree = begin_of(at_places, a) != begin_of(at_places, b);
         if (!agree && are_on_each_other(positions, triangles, a, b)) continue;
         const std::uint32_t from = begin_of(triangles, b), to = end_of(triangles, b);

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "laplacian_lines/triangle_mesh.h"
+#include "mesh/sides_by_edge.h"
 
 namespace laplacian_lines {
 
@@ -23,6 +23,9 @@ Precision precision_of(const std::vector<Eigen::Vector3d>& positions,
 
 /// Whether triangles pass each edge equally often in both directions, by sums of 64-bit hashes.
 bool is_closed(const std::vector<Triangle>& triangles);
+
+/// Edges with one side.
+std::vector<Edge> border_edges(const std::vector<Triangle>& triangles, std::size_t vertices);
 
 /// Resolves T-junctions, as CAD programs leave them: cuts triangles on borders where vertices of
 /// other borders lie on their sides, within the precision of the coordinates, if one of the parts

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A needle folded back over its neighbour turns the surface over and back within a rounding error.
+// Flipping their common side, the longest of the needle, leaves two triangles that are not folded.
 #include "mesh/needles.h"
 
 #include <Eigen/Geometry>

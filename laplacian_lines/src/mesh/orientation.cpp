@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// How triangles are turned outwards:
+//  1. Neighbours across edges of two triangles are made to agree with a first triangle; what is
+//     connected so is a body.
+//  2. A closed body, also one with holes, is turned as a whole if its volume is negative; an open
+//     one if step 1 has turned most of its area.
+//  3. A closed body inside another one, found by a ray, is turned with that one if it was: it is a
+//     cavity of it or a part within.
 #include "mesh/orientation.h"
 
 #include <Eigen/Geometry>
@@ -16,14 +23,6 @@ namespace laplacian_lines {
 namespace {
 
 using Eigen::Vector3d;
-
-// How triangles are oriented:
-//  1. Neighbours across edges of two triangles are made to agree: bodies, from a first triangle
-//  each.
-//  2. A closed body, also with holes, is turned as a whole if its signed volume is negative, an
-//  open
-//     one if step 1 has turned most of its area.
-//  3. A closed body inside another, found by a ray, is turned with that: it is a cavity or a part.
 
 // A closed surface has holes of at most these borders, and a volume.
 constexpr double kMostBordersOfHoles = 0.02;  // share of the edges
@@ -187,17 +186,20 @@ private:
             while (!open.empty()) {
                 const std::uint32_t triangle = open.back();
                 open.pop_back();
-                for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side)
+                for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side) {
                     if (table_.has_neighbour(side)) reach_across(side, open);
+                    bodies_.back().borders += table_.across(side) == CornerTable::kBorder;
+                }
             }
         }
     }
 
     void reach_across(std::uint32_t side, std::vector<std::uint32_t>& open) {
-        const std::uint32_t here = side / 3, there = table_.across(side) / 3;
-        if (is_same(here, there)) return;
-        const bool is_flipped = bool(is_flipped_[here]) != is_opposed(side, table_.across(side));
-        if (body_of_[there] == kNone) {
+        const std::uint32_t other = table_.across(side), here = side / 3, there = other / 3;
+        const bool is_known = body_of_[there] != kNone;
+        if ((is_known && other < side) || is_same(here, there)) return;  // once an edge is enough
+        const bool is_flipped = bool(is_flipped_[here]) != is_opposed(side, other);
+        if (!is_known) {
             body_of_[there] = body_of_[here];
             is_flipped_[there] = is_flipped;
             open.push_back(there);
@@ -216,11 +218,8 @@ private:
         for (std::uint32_t t = 0; t < body_of_.size(); ++t)
             bodies_[body_of_[t]].add(mesh_, mesh_.triangles[t], is_flipped_[t] ? -1 : 1);
         std::size_t borders = 0;
-        for (std::uint32_t side = 0; side < table_.side_count(); ++side) {
-            if (table_.across(side) != CornerTable::kBorder) continue;
-            ++bodies_[body_of_[side / 3]].borders;
-            ++borders;
-        }
+        for (const Body& body : bodies_)
+            borders += body.borders;
         if (bodies_.size() > 1)  // a single open surface has borders by intent
             mesh_.report.border_share = double(borders) / double(table_.edge_count());
     }
@@ -231,16 +230,15 @@ private:
     }
 
     void flip() {
-        std::size_t opposed = 0, flipped = 0;
-        for (std::uint32_t side = 0; side < table_.side_count(); ++side) {
-            const std::uint32_t other = table_.across(side);
-            if (table_.has_neighbour(side) && side < other)
-                opposed +=
-                    is_opposed(side, other) == (is_to_flip(side / 3) == is_to_flip(other / 3));
-        }
+        const double opposed = sum_of(table_.side_count(), [&](std::size_t i) {
+            const auto side = std::uint32_t(i), other = table_.across(side);
+            return table_.has_neighbour(side) && side < other &&
+                   is_opposed(side, other) == (is_to_flip(side / 3) == is_to_flip(other / 3));
+        });
+        std::size_t flipped = 0;
         for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
             if (is_to_flip(t)) std::swap(mesh_.triangles[t][1], mesh_.triangles[t][2]), ++flipped;
-        mesh_.report.opposed_share = double(opposed) / double(table_.edge_count());
+        mesh_.report.opposed_share = opposed / double(table_.edge_count());
         mesh_.report.flipped_triangles = flipped << 2 * mesh_.report.undone_subdivisions;
     }
 

@@ -1,4 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The usable part of a mesh:
+//  1. Triangles without an area, or with corners that are not finite, are dropped.
+//  2. T-junctions are cut, and duplicated vertices welded where they cut the surface open.
+//  3. Subdivisions at the middles of edges are undone.
+//  4. Used vertices are kept, in coordinates around the bounding box's centre and in units of its
+//     diagonal D. Triangles that lose their area by rounding are dropped as well.
+//  5. Triangles folded over by a needle's width are unfolded, and all turned outwards.
+//  6. The mean edge is measured, and whether coordinates are so coarse that smooth surfaces bend.
 #include "mesh/prepared_mesh.h"
 
 #include <Eigen/Geometry>

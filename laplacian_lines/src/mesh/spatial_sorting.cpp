@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 #include "mesh/prepared_mesh.h"
 #include "mesh/vertex_ranges.h"
@@ -40,9 +42,13 @@ void sort_triangles(PreparedMesh& mesh) {
     Buckets ranges = sort_in_buckets(triangles.size(), mesh.size() / kRange + 1,
                                      [&](std::uint32_t i) { return triangles[i][0] / kRange; });
     ranges.for_each([&](std::size_t, std::uint32_t* begin, std::uint32_t* end) {
-        std::stable_sort(begin, end, [&](std::uint32_t a, std::uint32_t b) {
-            return triangles[a][0] < triangles[b][0];
-        });
+        const std::vector<std::uint32_t> unsorted(begin, end);
+        std::array<std::uint32_t, kRange + 1> ends{};  // in the range, by vertex
+        for (const std::uint32_t t : unsorted)
+            ++ends[triangles[t][0] % kRange + 1];
+        std::partial_sum(ends.begin(), ends.end(), ends.begin());
+        for (const std::uint32_t t : unsorted)
+            begin[ends[triangles[t][0] % kRange]++] = t;
     });
     permute(triangles, ranges.numbers);
 }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A kd-tree with full leaves: points are halved along the longest axis of their box, so that points
+// of a leaf, and leaves one after the other, are near in space. Points are integers of 31 bits with
+// their index, by which no two are equal; the first halvings are shared by threads, then subtrees.
 #include "mesh/spatial_tree.h"
 
 #include <algorithm>

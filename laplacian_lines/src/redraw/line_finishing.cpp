@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The last step of a redraw, for several lines at once:
+//  1. The strips of a line are copied one behind the other.
+//  2. A whole line, traced without tests of its segments, fades by its mean slope instead.
+//  3. Where a line turns back sharply it fades, and is cut if nothing of it goes on.
+//  4. Slopes become weights and opacities; open ends run out.
+//  5. Weights, opacities and positions are smoothed, and positions put into mesh coordinates.
 #include "redraw/line_finishing.h"
 
 #include <algorithm>
@@ -63,7 +69,7 @@ void fade_at_hairpins(const std::vector<float>& passes, std::vector<float>& clea
         line[i].opacity *= std::min(passes[i], most > 0 ? 2 * clear[i] / most : 1.f);
 }
 
-constexpr std::uint32_t kLeastParallelPoints = 4000;
+constexpr std::uint32_t kLeastParallelPoints = 4000;  // fewer are done before a thread wakes
 constexpr std::size_t kLinesAtOnce = 4;
 constexpr std::uint32_t kStripsAhead = 4;
 constexpr int kTaperingPasses = 2;  // slopes of neighbouring triangles differ visibly

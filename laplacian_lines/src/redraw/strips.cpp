@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A strip is the part of a line within a cluster:
+//  1. Threads take chunks of clusters: those that face away are culled, strips of the others found
+//     (simd/) and written to the thread's own memory.
+//  2. Strips are joined in the order of the chunks, at the numbers of the edges where they leave
+//     their clusters: the first to come waits there, the second takes it.
+// Contours of coarse meshes are edges instead: each one between front and back is a strip.
 #include "redraw/strips.h"
 
 #include <algorithm>
@@ -66,7 +72,7 @@ void even_out(const ExtractionTask& task, FoundStrips& found) {
         }
 }
 
-constexpr std::uint32_t kStripsAhead = 8;
+constexpr std::uint32_t kStripsAhead = 8;  // whose places are asked for in advance
 
 /// Appends a strip and joins it to those that are there. `loop`: the end where the last closed line
 /// began.

@@ -44,28 +44,27 @@ void LinePartFinder::add_up(const std::vector<LinePiece>& pieces) {
     }
 }
 
+LinePartFinder::Sums LinePartFinder::sums_at(double length, std::size_t& k) const {
+    while (k + 1 < sums_.size() && sums_[k].length < length)
+        ++k;
+    if (k == 0 || sums_[k].length < length) return sums_[k];
+    const Sums &a = sums_[k - 1], &b = sums_[k];
+    const double step = b.length - a.length, t = step > 0 ? (length - a.length) / step : 1;
+    return {length, a.slope + t * (b.slope - a.slope), a.gradient + t * (b.gradient - a.gradient),
+            a.concave + t * (b.concave - a.concave)};
+}
+
 void LinePartFinder::judge(const LineRules& rules, double reach) {
     slopes_.assign(pieces_ + 1, 0.f);
     seen_.assign(pieces_ + 1, 0.f);
     const double whole = sums_[offset_ + pieces_].length - sums_[offset_].length;
     if (closed_) reach = std::min(reach, whole / 2);
-    // the sums at a length along the line; `k` runs ahead of it
-    const auto at = [&](double length, std::size_t& k) -> Sums {
-        while (k + 1 < sums_.size() && sums_[k].length < length)
-            ++k;
-        if (k == 0 || sums_[k].length < length) return sums_[k];
-        const Sums &a = sums_[k - 1], &b = sums_[k];
-        const double step = b.length - a.length, t = step > 0 ? (length - a.length) / step : 1;
-        return {length, a.slope + t * (b.slope - a.slope),
-                a.gradient + t * (b.gradient - a.gradient),
-                a.concave + t * (b.concave - a.concave)};
-    };
     const float over = 1 + rules.fading;
     std::size_t low = 0, high = 0;
     for (std::size_t i = 0; i <= pieces_; ++i) {
         const double here = sums_[offset_ + i].length;
-        const Sums from = at(std::max(here - reach, 0.), low),
-                   to = at(std::min(here + reach, sums_.back().length), high);
+        const Sums from = sums_at(std::max(here - reach, 0.), low),
+                   to = sums_at(std::min(here + reach, sums_.back().length), high);
         const double length = to.length - from.length, gradient = to.gradient - from.gradient;
         if (!(length > 0) || !(gradient > 0)) continue;
         slopes_[i] = float((to.slope - from.slope) / length);

@@ -11,7 +11,7 @@ namespace laplacian_lines {
 /// Its length in D, and sums of values times length along it.
 struct LinePiece {
     float length;
-    float slope;     ///< of the slope, less than 0 at phantoms
+    float slope;     ///< of the slope, which is less than 0 at phantoms
     float gradient;  ///< of ‖∇I‖
     float concave;  ///< of ‖∇I‖ times the cosine between −∇I and the tangential part of l
 };
@@ -44,6 +44,8 @@ private:
     };
 
     void add_up(const std::vector<LinePiece>& pieces);
+    /// At a length along the line; `k`, the next of sums_, only rises from call to call.
+    Sums sums_at(double length, std::size_t& k) const;
     void judge(const LineRules& rules, double reach);
     void collect_parts();
 

@@ -10,6 +10,9 @@ namespace {
 /// D; for the least curvature.
 constexpr float kLeastApparent = 0.02f;
 constexpr float kLeastFullSlope = 1e-6f;  // weights are divided by it
+// How far above a kind's least slope its lines have their full width, in least slopes.
+constexpr float kFullPhotic = 12, kFullSuggestive = 8, kFullApparent = 6;
+constexpr float kConcaveThinning = 0.1f;  // cosine, see LineRules
 
 /// 1 at 50, falling: fitted to the number of lines on the Stanford bunny and dragon, igea and the
 /// armadillo.
@@ -48,7 +51,7 @@ namespace {
 LineRules contour_rules(const LineStyle& s) {
     LineRules rules;
     rules.least_length = float(s.shortest_contour);
-    rules.concave_thinning = 0.1f;
+    rules.concave_thinning = kConcaveThinning;
     rules.smoothing_passes = smoothing_passes(s.line_smoothing);
     return rules;
 }
@@ -100,7 +103,7 @@ LineRules laplacian_rules(const LineStyle& s, bool light_at_eye) {
 /// ∇I, times D·h_e^1.5.
 LineRules photic_rules(const LineStyle& s, bool light_at_eye) {
     LineRules rules = laplacian_rules(s, light_at_eye);
-    set_slopes(Thresholds(s).photic_slope, 12 * float(s.photic_slope), rules);
+    set_slopes(Thresholds(s).photic_slope, kFullPhotic * float(s.photic_slope), rules);
     return rules;
 }
 
@@ -112,8 +115,8 @@ LineRules suggestive_rules(const LineStyle& s, float times) {
     LineRules rules = rules_by_slope(s);
     rules.least_facing = 0;
     rules.leave_out_away = true;
-    set_slopes(times * Thresholds(s).suggestive_slope, 8 * times * float(s.suggestive_slope),
-               rules);
+    set_slopes(times * Thresholds(s).suggestive_slope,
+               kFullSuggestive * times * float(s.suggestive_slope), rules);
     return rules;
 }
 
@@ -125,7 +128,7 @@ LineRules apparent_rules(const LineStyle& s) {
     rules.least_gradient = thresholds.apparent_curvature;
     rules.least_facing = 0;
     rules.leave_out_away = true;
-    set_slopes(thresholds.apparent_slope, 6 * float(s.apparent_slope), rules);
+    set_slopes(thresholds.apparent_slope, kFullApparent * float(s.apparent_slope), rules);
     rules.least_strength = thresholds.apparent_strength;
     return rules;
 }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Direct sums, leaf by leaf of the tree: the vertices of a leaf are the targets, and share the
+// sources within the cutoff of any of them. Places and normals are relative to the leaf's, for
+// floats.
 #include "sums/gaussian_sums.h"
 
 #include <algorithm>

@@ -46,6 +46,7 @@ GridPoints::GridPoints(const GridGeometry& grid, const std::vector<Eigen::Vector
     for (std::size_t b = 0; b < reached_.size(); ++b)
         for (int part = 0; part < 8 && starts_[b + 2] > 0; ++part)
             reached_[b + grid.step_to(part)] = 1;
+    // until they are filled in, the start of a block is at the place of the next one
     std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
     for (std::size_t i = 0; i < positions.size(); ++i)
         order_[starts_[block[i] + 1]++] = std::uint32_t(i);

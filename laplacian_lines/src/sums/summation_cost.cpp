@@ -59,7 +59,8 @@ GridResolution grid_resolution(double accuracy, double roughness) {
     const double turn = std::clamp(roughness, kLeastRoughness, 1.0);
     GridResolution resolution;
     // The largest error on the test meshes is 1.1e-3 cell^4.9 / turn down to 0.7 √h and falls more
-    // slowly below; tests/core/reference_test.cpp holds it to the accuracy.
+    // slowly below, which is bounded by this one; tests/core/reference_test.cpp holds it to the
+    // accuracy. Coarser cells save nothing, for spreading and interpolating cost the same.
     resolution.cell = std::min(1.25, std::pow(accuracy * turn / 1.4e-3, 1 / 4.7));
     // The share of the second moment along an axis beyond it is a quarter of the accuracy.
     resolution.cutoff = 6.3 - 0.85 * std::log10(accuracy / 1e-3);

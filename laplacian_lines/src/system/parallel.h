@@ -131,6 +131,14 @@ void for_each_element(std::size_t count, Body body) {
     });
 }
 
+template <class T>
+std::vector<T> concatenate(const std::vector<std::vector<T>>& parts) {
+    std::vector<T> all;
+    for (const std::vector<T>& part : parts)
+        all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
+
 /// What find(i, found) appends to `found`, in the order of i; `grain` of them at a time.
 template <class T, class Find>
 std::vector<T> collect(std::size_t count, Find find, std::size_t grain = kBlockElements) {
@@ -139,10 +147,7 @@ std::vector<T> collect(std::size_t count, Find find, std::size_t grain = kBlockE
         for (std::size_t i = block * grain; i < std::min(count, (block + 1) * grain); ++i)
             find(std::uint32_t(i), found[block]);
     });
-    std::vector<T> all;
-    for (const auto& of_block : found)
-        all.insert(all.end(), of_block.begin(), of_block.end());
-    return all;
+    return concatenate(found);
 }
 
 /// Joins value(begin, end) of the blocks to `start` in order, so that the number of threads does

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Threads that help with loops. Who runs a loop lists it as open, wakes helpers, and works on it
+// itself; helpers join the first open loop that has room, and take blocks until none is left. The
+// runner leaves when all helpers have. Loops within loops are just more open loops.
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>

@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kTurn = 3e-5;  // rad; any from 1e-7 to 1e-3 decides alike
-constexpr double kIrregular = 0.7316;
+constexpr double kTurn = 3e-5;         // rad; any from 1e-7 to 1e-3 decides alike
+constexpr double kIrregular = 0.7316;  // rad; of an axis that is none of a mesh's symmetry
 
 /// A direction or position, turned about the origin.
 Vector3d turned(const Vector3d& v) {

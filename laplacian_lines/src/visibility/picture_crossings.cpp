@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Where segments cross in the picture: a tree of boxes finds those near each dividing segment, and
+// a crossing is decided by the orientation of the four ends, so that it is there for both or for
+// none. What lies in front of the dividing segment is not divided, nor what it does not touch if it
+// has surface on both sides.
 #include "visibility/visibility_pieces.h"
 
 #include <algorithm>

@@ -1,4 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Where triangles meet that are no neighbours:
+//  1. A tree of boxes finds the pairs that may.
+//  2. PairTest takes the heights of each one's corners over the other's plane. If all are on one
+//     side they are apart; a corner in reach of a side touches it; with corners on both sides of
+//     each other's planes, the triangles intersect in what their segments along both planes
+//     share.
+//  3. An edge in a triangle's plane cuts it if the surface goes on at both sides of that plane.
+//  4. Ends of cuts become vertices, the same one for both triangles of a side.
 #include "visibility/surface_contacts.h"
 
 #include <Eigen/Geometry>
@@ -9,7 +17,6 @@
 
 #include "mesh/box_tree.h"
 #include "mesh/conforming.h"
-#include "mesh/corner_table.h"
 
 namespace laplacian_lines {
 namespace {
@@ -213,9 +220,9 @@ void append(const std::vector<T>& from, std::vector<T>& to) {
 
 Found find_pairs(const VisibilityMesh& mesh, const std::vector<bool>& on_border, BoxTree<3>& tree,
                  const StageProgress& stage) {
-    const PairTest classifier(mesh, on_border);
+    const PairTest pair_test(mesh, on_border);
     tree = BoxTree<3>::along_curve(mesh.triangles.size(), local_box(),
-                                   [&, reach = classifier.reach() / 2](std::uint32_t t) {
+                                   [&, reach = pair_test.reach() / 2](std::uint32_t t) {
                                        Eigen::AlignedBox3d box;
                                        for (const std::uint32_t v : mesh.triangles[t])
                                            box.extend(mesh.positions[v]);
@@ -227,7 +234,7 @@ Found find_pairs(const VisibilityMesh& mesh, const std::vector<bool>& on_border,
     std::vector<Found> found(pairs.size());
     const auto find_in = [&](std::size_t pair, NoScratch&) {
         tree.visit_pairs(pairs[pair], [&](std::size_t i, std::size_t k) {
-            classifier.test(order[i], order[k], found[pair]);
+            pair_test.test(order[i], order[k], found[pair]);
         });
     };
     parallel_for<NoScratch>(found.size(), stage.part(0.3, 1), find_in, 1);
@@ -260,12 +267,9 @@ void add_cuts_along_edges(Found& found) {
 }  // namespace
 
 std::vector<bool> border_vertices(const VisibilityMesh& mesh) {
-    const CornerTable table(mesh.triangles, mesh.positions.size());
     std::vector<bool> on_border(mesh.positions.size());
-    for (std::uint32_t side = 0; side < table.side_count(); ++side)
-        if (table.across(side) == CornerTable::kBorder)
-            for (const std::uint32_t v : edge_of(mesh.triangles, side))
-                on_border[v] = true;
+    for (const Edge& edge : border_edges(mesh.triangles, mesh.positions.size()))
+        on_border[edge[0]] = on_border[edge[1]] = true;
     return on_border;
 }
 

@@ -1,4 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Visible pieces become lines:
+//  1. Those that are wanted are kept, without specks.
+//  2. Ends of pieces that meet at a node are linked in pairs of one class: the straightest first,
+//     and straight ones only, but those of outlines always, for outlines close.
+//  3. What is linked is a line, smoothed between its exact points.
+// Ends of pieces are numbered: half 2 p is the first end of piece p, half 2 p + 1 its last.
+#include "visibility/visibility_pieces.h"
+
 #include <algorithm>
 #include <tuple>
 
@@ -6,7 +14,6 @@
 #include "fixed/piece_graph.h"
 #include "rules/line_rules.h"
 #include "system/disjoint_sets.h"
-#include "visibility/visibility_pieces.h"
 
 namespace laplacian_lines {
 namespace {

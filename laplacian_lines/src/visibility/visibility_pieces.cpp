@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Segments are divided at their crossings, and a ray through the middle of a piece decides whether
+// it is hidden. Pieces of a line on the surface that nothing crosses have the same answer, so a run
+// of them needs one ray. Rays are cast in an order in which they read the same memory.
 #include "visibility/visibility_pieces.h"
 
 #include <algorithm>

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Of what a picture is made, before it is known what is seen:
+//  1. Edges of the mesh: contours, borders, contacts of bodies and creases (EdgeClassifier).
+//  2. Faces seen edge-on, where the turn of the eye decides what is a contour, get one in any case
+//     (EdgeOnFaces).
+//  3. Lines on the surface, segment by segment.
 #include "visibility/visibility_segments.h"
 
 #include <Eigen/Geometry>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A file is there whole or not at all: it is written beside its place, to the disk, then renamed.
+// Devices and pipes are written in place.
 #include "line_drawing/atomic_file.h"
 
 #include <fcntl.h>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A page as PDF: numbered objects, and a table of their places. Texts are in fonts that every
+// reader has, whose widths are here; letters that these lack are drawn by lettering.h.
 #include <array>
 
 #include "formats/sheet_writers.h"

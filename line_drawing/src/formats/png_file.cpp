@@ -39,8 +39,9 @@ std::string in_png(const Canvas& canvas, int dots_per_metre) {
     const std::string size =
         number(std::uint32_t(canvas.width())) + number(std::uint32_t(canvas.height()));
     const std::string density = number(std::uint32_t(dots_per_metre)), rows = rows_of(canvas);
-    return "\x89PNG\r\n\x1a\n" + chunk("IHDR", size + std::string{8, 0, 0, 0, 0}) +
-           chunk("pHYs", density + density + '\1') + chunk("IDAT", deflated(rows)) +
+    const std::string eight_bits_of_gray{8, 0, 0, 0, 0}, per_metre{1};
+    return "\x89PNG\r\n\x1a\n" + chunk("IHDR", size + eight_bits_of_gray) +
+           chunk("pHYs", density + density + per_metre) + chunk("IDAT", deflated(rows)) +
            chunk("IEND", {});
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A page as SVG, in millimetres: a group for each view and a layer for each class of lines in it.
 #include <cmath>
 #include <cstdint>
 

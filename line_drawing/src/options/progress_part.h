@@ -31,21 +31,21 @@ inline void report(const laplacian_lines::Progress& progress, double done, const
 /// windows may show it.
 class SharedProgress {
 public:
-    SharedProgress(laplacian_lines::Progress all, std::size_t works)
-        : all_(std::move(all)), done_(works) {}
+    SharedProgress(laplacian_lines::Progress all, std::size_t tasks)
+        : all_(std::move(all)), done_(tasks) {}
 
-    laplacian_lines::Progress of(std::size_t work) {
+    laplacian_lines::Progress of(std::size_t task) {
         if (!all_) return {};
-        return [this, work](double done, const char* stage) { return tell(work, done, stage); };
+        return [this, task](double done, const char* stage) { return tell(task, done, stage); };
     }
 
 private:
-    bool tell(std::size_t work, double done, const char* stage) {
-        done_[work] = done;
+    bool tell(std::size_t task, double done, const char* stage) {
+        done_[task] = done;
         if (std::this_thread::get_id() == teller_ && !is_stopped_) {
             double sum = 0;
-            for (const std::atomic<double>& of_work : done_)
-                sum += of_work;
+            for (const std::atomic<double>& of_task : done_)
+                sum += of_task;
             is_stopped_ = !all_(sum / double(done_.size()), stage);
         }
         return !is_stopped_;
@@ -53,7 +53,7 @@ private:
 
     const laplacian_lines::Progress all_;
     const std::thread::id teller_ = std::this_thread::get_id();
-    std::vector<std::atomic<double>> done_;
+    std::vector<std::atomic<double>> done_;  // by task
     std::atomic<bool> is_stopped_{false};
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Views as users write them: sides, angles, or vectors of a window's view; and sections.
 #include "line_drawing/view_frame.h"
 
 #include <Eigen/Geometry>

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Gray pictures of polygons and strokes:
+//  1. Each row of pixels has 16 lines; polygons' sides that cross a line divide it into spans
+//     inside and outside, in steps of a 256th of a pixel.
+//  2. Spans add up to the coverage of each pixel of the row, which is then painted.
+//  3. A stroke is a polygon for each piece, sectors where they meet, and half circles at its ends.
 #include "pixels/canvas.h"
 
 #include <algorithm>

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Cuts by planes. Each triangle that a plane crosses gives a piece, whose ends have the same bits
+// from both triangles of an edge; pieces are joined where ends are equal, open lines first. Lines,
+// loops and meshes are clipped to one side of a plane, and walls hatched by lines across them.
 #include "planes/cutting.h"
 
 #include <algorithm>

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A vessel in half section, as archaeologists draw it: the wall cut open on the left, the outside
+// on the right, with the axis between them.
+//  1. find_axis(): the line that the surface's normals meet, along the vertical and in space.
+//  2. It is refused if too little is round about it, if it leans, or if most of the rim is gone.
+//  3. The mesh is cut in the plane of the picture; walls, rim, base and axis follow from that.
 #include "sections/half_section.h"
 
 #include <Eigen/Dense>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Cut walls: the edges of their loops in 256 rows, so that a line is tested against few of them.
+// Walls of two objects that overlap by a hundredth count as one, whose inner lines are dropped.
 #include "sections/wall_area.h"
 
 #include <algorithm>

@@ -24,12 +24,15 @@ private:
     };
     std::size_t row_of(double y) const;
 
-    double low_ = 0, row_height_ = 1, slight_ = 0;
-    std::vector<std::vector<Edge>> rows_;
+    double low_ = 0, row_height_ = 1;      // of the rows
+    double slight_ = 0;                    // distance to either side of a line along a border
+    std::vector<std::vector<Edge>> rows_;  // the edges that pass through each
 };
 
+/// The parts of lines that the area does not cover.
 std::vector<DrawnLine> without_parts_in(const WallArea& area, const std::vector<DrawnLine>& lines);
 
+/// An object's wall and the lines around it, where a plane cuts it.
 struct CutObject {
     Wall wall = {};
     std::vector<DrawnLine> lines = {};

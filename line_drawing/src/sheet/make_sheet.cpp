@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A drawing, step by step, each with the objects' largest data alone in memory:
+//  1. Views and sections are laid out on the page, which may refuse, before any long work.
+//  2. Lines of the surface are found at the scale of the page.
+//  3. What of them is seen is found view by view, and outlines are checked against the silhouette.
+//  4. Strokes are drawn, then the page's annotations.
 #include "line_drawing/make_sheet.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What stands around the views: their names, and in a strip at the bottom the title and notes on
+// the left, the projection symbol and the scale bar on the right. Long texts are first set smaller.
 #include "sheet/sheet_layout.h"
 
 #include <algorithm>

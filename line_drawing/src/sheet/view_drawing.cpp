@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A view's marks on the page: lines become strokes (draw_lines() tells the order), closed outlines
+// areas, cut walls areas or hatching, in a layer for each class of lines.
 #include "sheet/sheet_layout.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Lines of the objects in a drawing, with a kernel for its scale: extractors are kept while memory
+// allows, for the next drawing at that scale. If one is asked for at once, the nearest will do.
 #include "sight/object_lines.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A view in its own millimetres: the projection of space to it, and lines in it, with their class.
 #include "views/drawn_view.h"
 
 #include <algorithm>

@@ -11,7 +11,7 @@
 namespace meshlab_host {
 
 /// A field is kept in per-vertex attributes that other filters can read and export: those of its
-/// columns in laplacian_lines/kFieldColumns.h, vectors as Point3m, numbers as Scalarm. The per-mesh
+/// columns in laplacian_lines/field_columns.h, vectors as Point3m, numbers as Scalarm. The per-mesh
 /// attribute ll_record describes them; without it, the field does not count.
 struct FieldRecord {
     static constexpr std::uint32_t current_layout = 7;
