@@ -42,15 +42,15 @@ const float pixels_of_slope = 3.0;
 const float tones = 3.0;
 const float shade = 150.0 / 255.0;
 
-vec3 towardsEye()
+vec3 towards_eye()
 {
     bool orthographic = gl_ProjectionMatrix[2][3] == 0.0;
     return orthographic ? vec3(0.0, 0.0, 1.0) : normalize(-eye_position);
 }
 
-float depthMoved(float distance)
+float moved_depth(float distance)
 {
-    vec4 clip = gl_ProjectionMatrix * vec4(eye_position + distance * towardsEye(), 1.0);
+    vec4 clip = gl_ProjectionMatrix * vec4(eye_position + distance * towards_eye(), 1.0);
     if (clip.w <= 0.0)
         return 0.0;
     return (gl_DepthRange.diff * clip.z / clip.w + gl_DepthRange.near + gl_DepthRange.far) * 0.5;
@@ -62,7 +62,7 @@ float tone()
     if (!is_toon)
         return 1.0;
     float size = length(eye_normal);
-    float brightness = size > 0.0 ? abs(dot(eye_normal, towardsEye())) / size : 1.0;
+    float brightness = size > 0.0 ? abs(dot(eye_normal, towards_eye())) / size : 1.0;
     float scaled = brightness * tones;
     float step_at = floor(scaled + 0.5);
     float width = max(fwidth(scaled), 1e-6);
@@ -70,14 +70,14 @@ float tone()
     return clamp(level / (tones - 1.0), 0.0, 1.0);
 }
 
-bool isHidden(float slope)
+bool is_hidden(float slope)
 {
     float nearest = texture2D(surface_depth, gl_FragCoord.xy * texel).r;
     return texel.x > 0.0 && gl_FragCoord.z > nearest + 0.5 * slope + 1e-6;
 }
 
 // Within half the width of points and wires.
-float nearestAround()
+float nearest_around()
 {
     float nearest = 1.0;
     if (texel.x > 0.0)
@@ -92,11 +92,11 @@ float nearestAround()
 void main()
 {
     float slope = fwidth(gl_FragCoord.z);
-    if (isHidden(slope))
+    if (is_hidden(slope))
         discard;
     float moved = clamp(gl_FragCoord.z - pixels_of_slope * slope,
-                        depthMoved(nearer.y), depthMoved(nearer.x));
-    gl_FragDepth = min(moved, nearestAround() + depthMoved(nearer.y) - gl_FragCoord.z);
+                        moved_depth(nearer.y), moved_depth(nearer.x));
+    gl_FragDepth = min(moved, nearest_around() + moved_depth(nearer.y) - gl_FragCoord.z);
     gl_FragColor = vec4(vec3(mix(shade, 1.0, tone())), 1.0);
 }
 )";

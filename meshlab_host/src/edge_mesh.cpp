@@ -2,10 +2,10 @@
 #include "meshlab_host/edge_mesh.h"
 
 #include <vcg/space/index/kdtree/kdtree.h>
-#include <Eigen/Geometry>
-#include <algorithm>
 
+#include <Eigen/Geometry>
 #include <QColor>
+#include <algorithm>
 
 #include "attributes.h"
 

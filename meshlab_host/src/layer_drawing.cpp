@@ -11,6 +11,7 @@ namespace meshlab_host {
 
 namespace {
 
+/// As if nothing were sure to be in the depth buffer: no faces, and marks of up to 6 pixels.
 const LayerDrawing kUnknown = {false, false, 6};
 
 /// Some of MeshLab's shaders draw faces without depth; their settings last until decorations are

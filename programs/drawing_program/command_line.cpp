@@ -109,10 +109,12 @@ CommandLine parse_command_line(Words rest) {
     while (!rest.empty()) {
         split_assignment(rest);
         const std::string word = take(rest);
-        if (word == "--")
-            names.insert(names.end(), rest.begin(), rest.end()), rest.clear();
-        else if (!take_option(word, rest, formats, result))
+        if (word == "--") {
+            names.insert(names.end(), rest.begin(), rest.end());
+            rest.clear();
+        } else if (!take_option(word, rest, formats, result)) {
             names.push_back(word);
+        }
     }
     if (result.help || result.version) return result;
     const bool has_format = !formats.empty();

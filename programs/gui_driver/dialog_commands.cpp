@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Commands for menus, dialogs and boxes: fields are found by their labels, as a user finds them.
 #include <QApplication>
 #include <QCheckBox>
 #include <QColorDialog>
@@ -13,6 +14,7 @@
 #include <QRegularExpression>
 #include <QTimer>
 #include <QTreeWidget>
+
 #include "command_table.h"
 #include "gui.h"
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Runs a script, one command after the other, in MeshLab's own event loop: a command may open a
+// box, in whose event loop the next ones run, and one that has to wait is tried again.
 #include <QApplication>
 #include <QMainWindow>
 #include <QProgressBar>
 #include <QTimer>
+
 #include "command_table.h"
 #include "gui.h"
 #include "process.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Commands for the main window and its views: their size, mouse, layers, log and pictures.
 #include <QApplication>
 #include <QDockWidget>
 #include <QElapsedTimer>
@@ -6,6 +7,7 @@
 #include <QMouseEvent>
 #include <QRegularExpression>
 #include <QTreeWidget>
+
 #include "command_table.h"
 #include "gui.h"
 #include "process.h"

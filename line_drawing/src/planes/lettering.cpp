@@ -14,7 +14,8 @@ using Point = Path::Point;
 
 constexpr char32_t kNoCharacter = 0xfffd;
 
-/// Letters that the font lacks, and their substitutes.
+/// Letters that the font lacks, and their substitutes: diameter and empty set, the hyphen that does
+/// not break, and the ratio.
 constexpr std::u32string_view kSubstituted = U"\u2300\u2205\u2011\u2236";
 constexpr std::u32string_view kSubstitutes = U"\u00d8\u00d8-:";
 

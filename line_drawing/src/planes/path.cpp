@@ -9,7 +9,7 @@ namespace {
 using Point = Path::Point;
 
 constexpr double kQuarterHandle = 0.5522847498;  // handle of a quarter of the unit circle
-constexpr int kMostHalvings = 9;
+constexpr int kMostHalvings = 9;                 // a curve is then 512 chords, whatever its size
 
 bool is_same(const Point& p, const Point& q) {
     return (p - q).lpNorm<Eigen::Infinity>() <= 1e-12;
@@ -46,7 +46,8 @@ double coordinate_at(double t, double a, double b, double c, double d) {
     return s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d;
 }
 
-/// Extends a range to the extrema of a coordinate of a curve.
+/// Extends a range to the extrema of a coordinate of a curve, where its derivative, square t² +
+/// 2 half t + rest, is 0. Of the two roots neither is a difference of nearly equal numbers.
 void extend_to_turns(const Point& begin, const Path::Piece& curve, int axis,
                      Eigen::AlignedBox2d& box) {
     const double a = begin[axis], b = curve.first[axis], c = curve.second[axis],

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "options/paper_and_pens.h"
 #include "sheet/sheet_layout.h"
 #include "views/drawn_view.h"
 
@@ -17,6 +18,7 @@ constexpr double kViewSize = 85, kCellGap = 5, kLeastCell = 35, kNameHeight = 2.
                  kSizeHeight = 2.2, kTitleHeight = 4;
 constexpr double kCaptionHeight = 2 * kNameHeight + 1.5 * kSizeHeight;
 
+/// Cells in rows, a view and its caption in each.
 struct Grid {
     Vector2d paper;
     int columns = 1;
@@ -45,9 +47,9 @@ Grid fill_paper(const Vector2d& paper, int count, double title_room) {
 
 /// On the smallest paper from A4 on that has room.
 Grid choose_grid(int count, double title_room) {
-    const Vector2d papers[] = {{210, 297}, {297, 420}, {420, 594}, {594, 841}, {841, 1189}};
     Grid grid;
-    for (const Vector2d& paper : papers) {
+    for (const char* name : {"a4", "a3", "a2", "a1", "a0"}) {
+        const Vector2d paper = *paper_size(name);
         const Grid upright = fill_paper(paper, count, title_room),
                    lying = fill_paper(paper.reverse(), count, title_room);
         grid = lying.cell > upright.cell ? lying : upright;
@@ -109,7 +111,7 @@ SheetOptions contact_options(const laplacian_lines::TriangleMesh& mesh,
     const double longest = options.mm_per_unit * size.maxCoeff();
     result.title = size_text(options.mm_per_unit * bounds_of(mesh).sizes());
     result.scale = longest > 0 ? kViewSize / longest : 1;
-    result.pens = {0.35, 0.25, 0.18, 0.18, 0.13, 0.25, 0.13};
+    result.pens = {0.35, 0.25, 0.18, 0.18, 0.13, 0.25, 0.13};  // a step finer than on a page
     return result;
 }
 
