@@ -18,7 +18,7 @@ using Form = RidgeCandidates::Form;
 // How the angle of an edge is measured:
 //  1. Walk over the surface across the line, every .3 % of D. T(d) is the angle by which the normal
 //     turns within the distance d on one side of the line.
-//  2. Average T over the sections within .75 % of D, and move the line to the middle of the turn.
+//  2. Average T over the sections within .75 % of D.
 //  3. An edge does not turn beyond 2 % of D, a bump does: A = 2 T(2 %) - T(4 %) on either side.
 //  4. The clear part of the turn is A1 + A2 - 1.5 |A1 - A2|. From .3 of the turn on, all of it is
 //  the
@@ -34,10 +34,8 @@ constexpr Scale kScales[] = {{0.02f, 1}, {0.01f, 0.25f}};
 constexpr float kReach = 0.04f;  // of a section, to each side
 
 // In D.
-constexpr float kMiddleReach = 0.01f;  // the middle of a turn is looked for within it
 constexpr float kStep = 0.003f;        // between the sections of a line
 constexpr float kMeanReach = 0.0075f;  // along the line, of the mean of sections
-constexpr float kBendReach = 0.005f;   // the same, of the direction of a section
 
 // Weight of the difference of the sides against their sum.
 constexpr float kSkew = 1.5f;
@@ -72,10 +70,9 @@ struct Turn {
 /// The turns of a section, or of several on average.
 struct Turns {
     Turn at_scale[std::size(kScales)];
-    float middle = 0;  ///< where the turn has its middle, D
 
     Turns() = default;
-    explicit Turns(const SectionProfile& profile) : middle(profile.middle(kMiddleReach)) {
+    explicit Turns(const SectionProfile& profile) {
         for (std::size_t k = 0; k < std::size(kScales); ++k)
             at_scale[k] = Turn(profile, kScales[k].near);
     }
@@ -83,7 +80,6 @@ struct Turns {
     void add(const Turns& other, float share) {
         for (std::size_t k = 0; k < std::size(kScales); ++k)
             at_scale[k].add(other.at_scale[k], share);
-        middle += share * other.middle;
     }
 
     float edge_angle() const {
@@ -103,23 +99,19 @@ public:
         measure_arc_lengths();
         choose_samples();
         const std::size_t n = samples_.size();
-        profiles_.resize(n);
         turns_.resize(n);
+        SectionProfile profile;
         for (std::size_t s = 0; s < n; ++s) {
-            profiles_[s].measure(surface, section(samples_[s]), sign, kReach);
-            turns_[s] = Turns(profiles_[s]);
+            profile.measure(surface, section(samples_[s]), sign, kReach);
+            turns_[s] = Turns(profile);
         }
         angles_.resize(n);
-        moves_.resize(n);
-        for (std::size_t s = 0; s < n; ++s) {
-            const Turns turn = mean_turns(s);
-            angles_[s] = turn.edge_angle();
-            moves_[s] = profiles_[s].position(turn.middle) - forms_[samples_[s]].position;
-        }
+        for (std::size_t s = 0; s < n; ++s)
+            angles_[s] = mean_turns(s).edge_angle();
     }
 
-    /// Linear between the samples. `diagonal`: D
-    void write(float diagonal, LinePoint* points) const {
+    /// Linear between the samples.
+    void write(LinePoint* points) const {
         std::size_t s = 0;
         for (std::uint32_t i = 0; i < count_; ++i) {
             while (s + 2 < samples_.size() && samples_[s + 1] < i)
@@ -127,7 +119,6 @@ public:
             const float begin = arc_lengths_[samples_[s]], end = arc_lengths_[samples_[s + 1]];
             const float t = end > begin ? (arc_lengths_[i] - begin) / (end - begin) : 0;
             points[i].gradient = (1 - t) * angles_[s] + t * angles_[s + 1];
-            points[i].position += diagonal * ((1 - t) * moves_[s] + t * moves_[s + 1]);
         }
     }
 
@@ -147,21 +138,13 @@ private:
         samples_.push_back(count_ - 1);
     }
 
-    /// Across the line, to its left; the mean of the directions nearby, which noise moves less.
+    /// Across the line, to its left.
     Section section(std::uint32_t i) const {
         const Form& here = forms_[i];
-        std::uint32_t first = i, last = i;
-        while (first > 0 && arc_lengths_[i] - arc_lengths_[first - 1] <= kBendReach)
-            --first;
-        while (last + 1 < count_ && arc_lengths_[last + 1] - arc_lengths_[i] <= kBendReach)
-            ++last;
-        Eigen::Vector3f bend = Eigen::Vector3f::Zero();
-        for (std::uint32_t j = first; j <= last; ++j)
-            bend += dot(forms_[j].bend, here.bend) < 0 ? -forms_[j].bend : forms_[j].bend;
-        const Eigen::Vector3f along = forms_[std::min(last + 1, count_ - 1)].position -
-                                      forms_[first > 0 ? first - 1 : 0].position;
+        const Eigen::Vector3f along =
+            forms_[std::min(i + 1, count_ - 1)].position - forms_[i > 0 ? i - 1 : 0].position;
         const Eigen::Vector3f normal = unit(here.normal);
-        const Eigen::Vector3f across = unit(bend - dot(normal, bend) * normal);
+        const Eigen::Vector3f across = unit(here.bend - dot(normal, here.bend) * normal);
         const bool is_left = dot(across, normal.cross(along)) >= 0;
         return {here.side, here.position, normal, is_left ? across : -across};
     }
@@ -186,22 +169,19 @@ private:
     const Form* const forms_;
     std::vector<float> arc_lengths_;      // lengths from the start of the line to its points, D
     std::vector<std::uint32_t> samples_;  // points that have a section
-    std::vector<SectionProfile> profiles_;
     std::vector<Turns> turns_;
-    std::vector<float> angles_;
-    std::vector<Eigen::Vector3f> moves_;  // D
+    std::vector<float> angles_;  // degrees, by sample
 };
 
 }  // namespace
 
-void measure_ridge_angles(const ExtractorData& data, const Surface& surface, Crest crest,
-                          RidgeCandidates& candidates) {
+void measure_ridge_angles(const Surface& surface, Crest crest, RidgeCandidates& candidates) {
     LineSet& lines = candidates.lines;
     in_parallel(lines.lines.size(), [&](std::size_t number) {
         const Polyline& line = lines.lines[number];
         LineAngles angles(line.count, candidates.forms.data() + line.first);
         angles.measure(surface, crest.sign);
-        angles.write(float(data.diagonal), lines.points.data() + line.first);
+        angles.write(lines.points.data() + line.first);
     });
 }
 

@@ -27,8 +27,7 @@ using RidgeCandidates = ZeroLines;
 RidgeCandidates find_ridge_candidates(const ExtractorData& data, Crest crest);
 
 /// Sets the gradient of each point of the candidates to the angle of the edge there, in degrees,
-/// and moves the points to its middle, see ridge_angles.cpp. The number of threads does not matter.
-void measure_ridge_angles(const ExtractorData& data, const Surface& surface, Crest crest,
-                          RidgeCandidates& candidates);
+/// see ridge_angles.cpp. The number of threads does not matter.
+void measure_ridge_angles(const Surface& surface, Crest crest, RidgeCandidates& candidates);
 
 }  // namespace laplacian_lines

@@ -18,7 +18,7 @@ constexpr float kClearance = 4;       // a rounded edge has its contour near its
 
 RidgeCandidates find_ridges(const ExtractorData& data, FixedLines& all, Crest crest) {
     RidgeCandidates found = find_ridge_candidates(data, crest);
-    measure_ridge_angles(data, *all.surface(data), crest, found);
+    measure_ridge_angles(*all.surface(data), crest, found);
     return found;
 }
 

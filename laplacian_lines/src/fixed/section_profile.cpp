@@ -88,15 +88,16 @@ void SectionProfile::measure(const Surface& surface, const Section& section, flo
         const std::size_t most = places_.size() + kMostSteps;
         if (sign_of_side > 0) {
             std::reverse(places_.begin(), places_.end());
-            places_.push_back({0, 0, section.point});
+            places_.push_back({0, 0});
         }
-        Place last = {0, 0, section.point};
+        Place last = {0, 0};
+        Eigen::Vector3f position = section.point;
         while (at[k] != kNoSide && std::abs(last.distance) < reach && places_.size() < most) {
-            last.distance += sign_of_side * length_of(next[k].position - last.position);
+            last.distance += sign_of_side * length_of(next[k].position - position);
             last.angle = sign *
                          arc_tangent(dot(next[k].normal, section.across), dot(next[k].normal, up)) *
                          kDegrees;
-            last.position = next[k].position;
+            position = next[k].position;
             places_.push_back(last);
             at[k] = beyond(surface, at[k]);
             if (at[k] != kNoSide) next[k] = leave(surface, plane, at[k]);
@@ -104,39 +105,15 @@ void SectionProfile::measure(const Surface& surface, const Section& section, flo
     }
 }
 
-/// Calls read(a, b, t) with the known places around a distance, and its share of the way from a to
-/// b.
-template <class Read>
-auto SectionProfile::interpolate(float distance, Read read) const {
+float SectionProfile::angle(float distance) const {
     const auto after =
         std::lower_bound(places_.begin(), places_.end(), distance,
                          [](const Place& place, float d) { return place.distance < d; });
-    if (after == places_.begin()) return read(*after, *after, 0.f);
-    if (after == places_.end()) return read(places_.back(), places_.back(), 0.f);
+    if (after == places_.begin()) return after->angle;
+    if (after == places_.end()) return places_.back().angle;
     const Place &a = *(after - 1), &b = *after;
-    return read(a, b, (distance - a.distance) / (b.distance - a.distance));
-}
-
-float SectionProfile::angle(float distance) const {
-    return interpolate(distance, [](const Place& a, const Place& b, float t) {
-        return (1 - t) * a.angle + t * b.angle;
-    });
-}
-
-Eigen::Vector3f SectionProfile::position(float distance) const {
-    return interpolate(distance, [](const Place& a, const Place& b, float t) -> Eigen::Vector3f {
-        return (1 - t) * a.position + t * b.position;
-    });
-}
-
-float SectionProfile::middle(float reach) const {
-    const float half = (angle(reach) + angle(-reach)) / 2;
-    float low = -reach, high = reach;
-    for (int step = 0; step < 10; ++step) {
-        const float mid = (low + high) / 2;
-        (angle(mid) < half ? low : high) = mid;
-    }
-    return (low + high) / 2;
+    const float t = (distance - a.distance) / (b.distance - a.distance);
+    return (1 - t) * a.angle + t * b.angle;
 }
 
 }  // namespace laplacian_lines

@@ -26,18 +26,11 @@ public:
 
     /// Constant beyond the ends of the section.
     float angle(float distance) const;
-    Eigen::Vector3f position(float distance) const;
-    /// The distance at which half of the turn between −reach and reach is on either side.
-    float middle(float reach) const;
 
 private:
     struct Place {
         float distance, angle;
-        Eigen::Vector3f position;
     };
-    template <class Read>
-    auto interpolate(float distance, Read read) const;
-
     std::vector<Place> places_;  // along the section
 };
 

@@ -78,10 +78,8 @@ private:
             if (p == d.points[0] || p == d.points[1]) return;
         const Vector3d &a = all_.projected(s.points[0]), &b = all_.projected(s.points[1]),
                        &c = all_.projected(d.points[0]), &e = all_.projected(d.points[1]);
-        const double room =
-            all_.picture.rise_of(std::max(kRounding * all_.picture.mesh().line_precision,
-                                          reach_of(all_.picture.mesh(), s)),
-                                 std::max(a.z(), b.z()));
+        const double room = all_.picture.rise_of(kRounding * all_.picture.mesh().line_precision,
+                                                 std::max(a.z(), b.z()));
         // With surface on both sides of each, visibility changes only where they meet in space.
         const bool must_meet = !describe(s.kind).is_outline && !describe(d.kind).is_outline;
         if (must_meet && (std::min(a.z(), b.z()) > std::max(c.z(), e.z()) + room ||

@@ -50,9 +50,10 @@ void decide(const VisibilitySegments& all, VisibilityPiece& piece, std::uint32_t
                                                     all.projected(segment.points[1]), t);
     const Vector3d &a = all.position(segment.points[0]), &b = all.position(segment.points[1]);
     const bool is_edge = segment.edge != VisibilitySegment::kNone;
-    const RayHits hits = all.picture.cast_ray(
-        a + share * (b - a), is_edge ? mesh.sides_of(segment.edge) : nullptr,
-        is_edge ? mesh.side_count(segment.edge) : 0, reach_of(mesh, segment), occluder);
+    const RayHits hits =
+        all.picture.cast_ray(a + share * (b - a), is_edge ? mesh.sides_of(segment.edge) : nullptr,
+                             is_edge ? mesh.side_count(segment.edge) : 0,
+                             is_edge ? mesh.precision : mesh.line_precision, occluder);
     piece.is_hidden = hits.is_hidden;
     piece.gap = float(hits.gap);
     piece.is_outline = !hits.is_hidden && std::isinf(hits.gap) && segment.divides &&
@@ -62,13 +63,13 @@ void decide(const VisibilitySegments& all, VisibilityPiece& piece, std::uint32_t
 // Local: points this near to the surface are as visible as it is there.
 constexpr double kOnSurface = 1e-5;
 
-/// Whether a piece continues the one before as an uncrossed line on the surface. Not of ridges and
-/// valleys or with coarse coordinates: parts of these may be behind the surface.
+/// Whether a piece continues the one before as an uncrossed line on the surface. Not with coarse
+/// coordinates: parts may be behind the surface.
 bool continues(const VisibilitySegments& all, std::uint32_t first_crossing,
                const VisibilityPiece& before, const VisibilityPiece& piece) {
     const VisibilitySegment &from = all.segments[before.segment], &to = all.segments[piece.segment];
     return to.edge == VisibilitySegment::kNone && from.line == to.line &&
-           reach_of(all.picture.mesh(), to) < kOnSurface && before.nodes[1] == piece.nodes[0] &&
+           all.picture.mesh().line_precision < kOnSurface && before.nodes[1] == piece.nodes[0] &&
            piece.nodes[0] < first_crossing;
 }
 

@@ -18,8 +18,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kCutOff = 1.001 * kLeastDepth;  // edges made by clipping are nearer
-constexpr double kCrestReach = 1e-3;      // D: smoothing moves ridges by up to 6e-4 off the surface
-constexpr double kSmoothCosine = 0.9986;  // of 3 degrees: surfaces that continue each other
+constexpr double kSmoothCosine = 0.9986;         // of 3 degrees: surfaces that continue each other
 
 /// Decides what a mesh edge is in a picture.
 class EdgeClassifier {
@@ -151,12 +150,6 @@ void append_line(const LineSet& set, const Polyline& line, VisibilitySegments& a
 }
 
 }  // namespace
-
-double reach_of(const VisibilityMesh& mesh, const VisibilitySegment& segment) {
-    if (segment.edge != VisibilitySegment::kNone) return mesh.precision;
-    const bool is_crest = !describe(segment.kind).depends_on_view;
-    return mesh.line_precision + (is_crest ? kCrestReach : 0);
-}
 
 bool is_edge_kind(LineKind kind) {
     return describe(kind).is_outline || kind == LineKind::Crease;

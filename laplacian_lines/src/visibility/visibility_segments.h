@@ -52,10 +52,6 @@ struct VisibilitySegments {
 VisibilitySegments find_visibility_segments(const Picture& picture, const CreaseMarks& creases,
                                             const std::vector<LineSet>& lines);
 
-/// How far from its triangle's plane a point of a segment may be, local: ridges and valleys are up
-/// to .06 % of D from the surface.
-double reach_of(const VisibilityMesh& mesh, const VisibilitySegment& segment);
-
 bool is_edge_kind(LineKind kind);
 
 }  // namespace laplacian_lines
