@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums over the neighbours q of a vertex p for curvature_derivatives.cpp, several vertices at a
-// time: of w, of w times 1, x, y, x², x y, y², and of w S times 1, x, y; x and y are q's place in
-// p's tangent plane, in radii. w = m (1 − d²)² facing_weight().
+// Sums over the neighbours q of a vertex p for tensor_fits.cpp, several vertices at a time. With x
+// and y the place of q in p's tangent plane and d its distance, in radii, and the weight
+// w = m (1 − d²)² facing_weight(), they are Σ w, Σ w (x, y), Σ w (x², x y, y²), and of the tensor
+// S: Σ w S, Σ w x S, Σ w y S.
 #include "field/tensor_slopes.h"
 
 #include "system/simd_sets.h"

@@ -19,56 +19,6 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr float kReach = 0.375f;            // to both sides, in √h
-constexpr float kSharpestCosine = -0.342f;  // of 110°
-
-/// Cosine between the ways from a to b and from b to c; 1 where there is none.
-float cosine_of_turn(const LinePoint& a, const LinePoint& b, const LinePoint& c) {
-    const Eigen::Vector3f u = b.position - a.position, v = c.position - b.position;
-    const float product = dot(u, v);
-    if (product >= 0) return 1;
-    return product / std::sqrt(squared_length_of(u) * squared_length_of(v));
-}
-
-/// Finds where a part of a whole line turns back sharply: passes[i] is how much of it goes on at a
-/// point, 0 at a hairpin, 1 away from any. Returns whether there is one.
-bool find_hairpins(const LinePoint* line, std::uint32_t count, float kernel_size,
-                   FinishingThread& memory) {
-    auto& [lengths, passes] = memory.hairpins;
-    lengths.assign(count, 0.f);  // from the first point to each
-    passes.assign(count, 1.f);
-    for (std::size_t i = 1; i < count; ++i)
-        lengths[i] = lengths[i - 1] + length_of(line[i].position - line[i - 1].position);
-    const float reach = kReach * kernel_size;
-    bool any = false;
-    std::size_t low = 0, high = 0;
-    for (std::size_t i = 0; i < count && high < count; ++i) {
-        while (low < i && lengths[low + 1] <= lengths[i] - reach)
-            ++low;
-        while (high < count && lengths[high] < lengths[i] + reach)
-            ++high;
-        if (lengths[low] > lengths[i] - reach || high == count) continue;
-        passes[i] = rise(cosine_of_turn(line[low], line[i], line[high]), kSharpestCosine, 0);
-        any |= passes[i] < 1;
-    }
-    return any;
-}
-
-/// Beyond a hairpin a line is its own companion on the convex side, which is drawn only as far as
-/// it is clear by itself, or carried by what is: opacities fade towards hairpins and beyond.
-/// `clear`: how clear the line is by itself, by point; overwritten.
-void fade_at_hairpins(const std::vector<float>& passes, std::vector<float>& clear,
-                      LinePoint* line) {
-    float carried = 0, most = 0;
-    for (std::size_t i = 0; i < passes.size(); ++i)
-        clear[i] = carried = std::max(clear[i] * passes[i], std::min(carried, passes[i]));
-    carried = 0;
-    for (std::size_t i = passes.size(); i-- > 0; most = std::max(most, carried))
-        clear[i] = carried = std::max(clear[i], std::min(carried, passes[i]));
-    for (std::size_t i = 0; i < passes.size(); ++i)
-        line[i].opacity *= std::min(passes[i], most > 0 ? 2 * clear[i] / most : 1.f);
-}
-
 constexpr std::uint32_t kLeastParallelPoints = 4000;  // fewer are done before a thread wakes
 constexpr std::size_t kLinesAtOnce = 4;
 constexpr std::uint32_t kStripsAhead = 4;
@@ -187,9 +137,9 @@ Polyline cut(const LinePoint* points, const Polyline& whole, std::size_t begin, 
 /// Lets a part of a whole line fade at hairpins, and cuts it where it goes.
 void cut_at_hairpins(const LineRules& rules, const Polyline& p, FinishingThread& thread,
                      LinePoint* points) {
-    if (!find_hairpins(points, p.count, rules.kernel_size, thread)) return;
-    const std::vector<float>& passes = thread.hairpins.passes;
-    fade_at_hairpins(passes, thread.clear, points);
+    if (!thread.hairpins.find(points, p.count, rules.kernel_size)) return;
+    thread.hairpins.fade(thread.clear, points);
+    const std::vector<float>& passes = thread.hairpins.passes();
     if (std::all_of(passes.begin(), passes.end(), [](float v) { return v > 0; })) return;
     thread.cut_lines.push_back(p.first);
     const auto is_in = [&](std::size_t i) { return passes[i] > 0; };

@@ -2,15 +2,14 @@
 #pragma once
 
 #include "clusters/extractor_data.h"
+#include "redraw/hairpins.h"
 #include "redraw/strip_tracing.h"
 
 namespace laplacian_lines {
 
 /// What a thread finishes lines in; keeps its memory.
 struct FinishingThread {
-    struct {
-        std::vector<float> lengths, passes;
-    } hairpins;                            ///< see find_hairpins()
+    Hairpins hairpins;
     std::vector<float> clear;              ///< how clear a line is by itself, by point
     std::vector<std::uint32_t> cut_lines;  ///< first points of lines that hairpins cut
     std::vector<Polyline> cut_parts;       ///< what is left of them
