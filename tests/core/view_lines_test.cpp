@@ -164,6 +164,14 @@ TEST(SurfaceCuts, AreHiddenAsOtherEdgesAre) {
             EXPECT_NEAR(p.position.y(), -0.4, 1e-6);  // that side of the second box is in sight
 }
 
+/// As of a ball half sunk into a plate, with vertices all around at its height.
+TEST(SurfaceCuts, RunAlongEdgesInTheOtherSurface) {
+    TriangleMesh mesh = test_meshes::cube(1);
+    test_meshes::append(mesh,
+                        test_meshes::stacked({{0.3, 0.3, 0}, {0.6, 0.6, 1}, {0.4, 0.4, 1.5}}));
+    EXPECT_NEAR(total_length(cuts_of(mesh, View::orthographic({0.31, -0.74, 0.59}))), 4.8, 1e-6);
+}
+
 TEST(SurfaceCuts, AreNoneWhereSurfacesTouch) {
     const Vector3d touching[] = {{2, 0, 0}, {2, 0.5, 0.25}, {2, 2, 2}, {0.3, 0.7, -2}};
     for (const Vector3d& offset : touching)

@@ -1,31 +1,76 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ridges and valleys: the crest lines that are sharp enough, with their weaker continuations.
+// Ridges and valleys: the crest lines that are sharp enough, with their weaker continuations; but
+// not where they run beside creases.
+#include <algorithm>
 #include <mutex>
 
 #include "fixed/fixed_lines.h"
-#include "fixed/near_lines.h"
 #include "fixed/ridge_candidates.h"
 #include "fixed/strong_lines.h"
+#include "mesh/box_tree.h"
 #include "rules/line_rules.h"
 #include "rules/thresholds.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 namespace {
 
+using Eigen::Vector3f;
+
 constexpr float kNearCrease = 0.01f;  // D
+constexpr float kAlong = 0.5f;        // least squared cosine of lines that run beside each other
+constexpr float kRoundUp = 1.01f;     // of boxes, which only preselect
 constexpr float kFading = 5;          // blunt edges are paler than sharp ones
 constexpr float kClearance = 4;       // a rounded edge has its contour near its crest
 
-RidgeCandidates find_ridges(const ExtractorData& data, FixedLines& all, Crest crest) {
-    RidgeCandidates found = find_ridge_candidates(data, crest);
-    measure_ridge_angles(*all.surface(data), crest, found);
-    return found;
+/// Whether a piece passes within the distance of p, about in this direction.
+bool is_along(const Vector3f& begin, const Vector3f& end, float distance, const Vector3f& p,
+              const Vector3f& direction) {
+    const Vector3f span = end - begin;
+    const float length = squared_length_of(span);
+    const float t = length > 0 ? std::clamp(dot(p - begin, span) / length, 0.f, 1.f) : 0.f;
+    if (squared_length_of(begin + t * span - p) > distance * distance) return false;
+    const float product = dot(span, direction);
+    return product * product >= kAlong * length * squared_length_of(direction);
 }
 
+/// For each point of `lines`, 1 if a line of `others` runs beside it: within the distance, in the
+/// points' unit, and at less than 45 degrees. Any number of threads gives the same.
+std::vector<std::uint8_t> points_along(const LineSet& lines, const LineSet& others,
+                                       float distance) {
+    std::vector<std::uint32_t> begins;  // points from which pieces go to the next
+    Eigen::AlignedBox3f bounds;
+    for (const Polyline& line : others.lines)
+        for (std::uint32_t i = line.first; i + 1 < line.first + line.count; ++i)
+            begins.push_back(i);
+    for (const LinePoint& point : others.points)
+        bounds.extend(point.position);
+    const auto at = [&](std::uint32_t i) -> const Vector3f& { return others.points[i].position; };
+    const auto tree = BoxTree<3>::along_curve(std::move(begins), bounds, [&](std::uint32_t begin) {
+        const Vector3f room = Vector3f::Constant(kRoundUp * distance);
+        const Vector3f &a = at(begin), &b = at(begin + 1);
+        return Eigen::AlignedBox3f(a.cwiseMin(b) - room, a.cwiseMax(b) + room);
+    });
+    std::vector<std::uint8_t> along(lines.points.size(), 0);
+    in_parallel(lines.lines.size(), [&](std::size_t number) {
+        const Polyline& line = lines.lines[number];
+        const LinePoint* points = lines.points.data() + line.first;
+        for (std::uint32_t i = 0; i < line.count; ++i) {
+            const Vector3f& p = points[i].position;
+            const Vector3f direction = points[std::min(i + 1, line.count - 1)].position -
+                                       points[i > 0 ? i - 1 : 0].position;
+            along[line.first + i] = !tree.visit(Eigen::AlignedBox3f(p), [&](std::uint32_t begin) {
+                return !is_along(at(begin), at(begin + 1), distance, p, direction);
+            });
+        }
+    });
+    return along;
+}
+
+template <const Crest& crest>
 class CrestLines : public FixedKindLines {
 public:
-    CrestLines(const ExtractorData& data, FixedLines& all, Crest crest)
-        : found_(find_ridges(data, all, crest)) {}
+    CrestLines(const ExtractorData& data, FixedLines& all) : found_(find(data, all)) {}
 
     void append(const ExtractorData& data, FixedLines& all, const LocalEye& eye,
                 const LineStyle& style, LineSet& lines) const override {
@@ -41,6 +86,12 @@ public:
     }
 
 private:
+    static RidgeCandidates find(const ExtractorData& data, FixedLines& all) {
+        RidgeCandidates found = find_ridge_candidates(data, crest);
+        measure_ridge_angles(*all.surface(data), crest, found);
+        return found;
+    }
+
     /// By point, 1 if it only doubles a crease; null if none does.
     std::shared_ptr<const std::vector<std::uint8_t>> along_creases(
         const ExtractorData& data, const std::shared_ptr<const LineSet>& creases) const {
@@ -60,19 +111,9 @@ private:
     const StrongLines found_;
 };
 
-class Ridges : public CrestLines {
-public:
-    Ridges(const ExtractorData& data, FixedLines& all) : CrestLines(data, all, kConvexCrest) {}
-};
-
-class Valleys : public CrestLines {
-public:
-    Valleys(const ExtractorData& data, FixedLines& all) : CrestLines(data, all, kConcaveCrest) {}
-};
-
 }  // namespace
 
-const FixedKind kRidges = fixed_kind<Ridges>(LineKind::Ridge);
-const FixedKind kValleys = fixed_kind<Valleys>(LineKind::Valley);
+const FixedKind kRidges = fixed_kind<CrestLines<kConvexCrest>>(LineKind::Ridge);
+const FixedKind kValleys = fixed_kind<CrestLines<kConcaveCrest>>(LineKind::Valley);
 
 }  // namespace laplacian_lines

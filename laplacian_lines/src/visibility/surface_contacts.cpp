@@ -89,7 +89,6 @@ struct Found {
     std::vector<FoundCut> cuts;
     std::vector<CutAlongEdge> along_edges;
     std::vector<SurfaceContacts::OnEdge> on_edges;
-    std::vector<std::array<std::uint32_t, 2>> at_one_place;
 };
 
 int common_corners(const Triangle& a, const Triangle& b) {
@@ -137,10 +136,6 @@ private:
                        Found& found) const {
         for (std::size_t k = 0; k < 3; ++k) {
             if (std::abs(heights.over[k]) > reach() || has_corner(sides, corners[k])) continue;
-            for (const std::uint32_t other : sides)
-                if ((mesh_.positions[other] - mesh_.positions[corners[k]]).norm() <=
-                    mesh_.precision / 4)
-                    found.at_one_place.push_back({corners[k], other});
             for (std::size_t s = 0; s < 3; ++s)
                 if (lies_on(corners[k], sides[s], sides[(s + 1) % 3]))
                     found.on_edges.push_back(
@@ -243,7 +238,6 @@ Found find_pairs(const VisibilityMesh& mesh, const std::vector<bool>& on_border,
         append(of_pair.cuts, all.cuts);
         append(of_pair.along_edges, all.along_edges);
         append(of_pair.on_edges, all.on_edges);
-        append(of_pair.at_one_place, all.at_one_place);
     }
     return all;
 }
@@ -278,8 +272,6 @@ SurfaceContacts find_surface_contacts(VisibilityMesh& mesh, const std::vector<bo
     SurfaceContacts contacts;
     Found found = find_pairs(mesh, on_border, contacts.triangles, stage);
     mesh.along_curve = contacts.triangles.order();
-    contacts.at_one_place = std::move(found.at_one_place);
-    if (!contacts.at_one_place.empty()) return contacts;
     add_cuts_along_edges(found);
     contacts.on_edges = std::move(found.on_edges);
     std::map<std::pair<Edge, std::uint32_t>, std::uint32_t> vertices;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -31,9 +30,6 @@ struct SurfaceContacts {
     std::vector<Cut> cuts;
     std::vector<OnEdge> on_edges;  ///< in no order; may hold one twice
     BoxTree<3> triangles;          ///< the mesh's, local
-    /// Vertices nearer than a quarter of the precision, a rounding error. If there are any, nothing
-    /// else is filled in: merging them changes the contacts.
-    std::vector<std::array<std::uint32_t, 2>> at_one_place;
 };
 
 /// By vertex, whether it is on a border.

@@ -89,19 +89,7 @@ void drop_triangles(VisibilityMesh& mesh) {
     keep_triangles(mesh, [&](std::uint32_t t) { return first[t] == t; });
 }
 
-/// Merges the vertices of each pair into the one of the smallest number. Returns whether there were
-/// any.
-bool weld(const std::vector<Pair>& pairs, VisibilityMesh& mesh) {
-    if (pairs.empty()) return false;
-    DisjointSets sets(mesh.positions.size());
-    for (const auto& [a, b] : pairs)
-        sets.unite(a, b);
-    replace_vertices(sets.take_roots(), mesh);
-    drop_triangles(mesh);
-    return true;
-}
-
-/// Merges border vertices within the precision of each other.
+/// Merges border vertices within the precision of each other. Returns whether there were any.
 bool weld_borders(const std::vector<bool>& on_border, VisibilityMesh& mesh) {
     const VertexLookup places(mesh, [&](std::uint32_t v) { return on_border[v]; });
     const auto find = [&](std::uint32_t v, std::vector<Pair>& pairs) {
@@ -110,7 +98,14 @@ bool weld_borders(const std::vector<bool>& on_border, VisibilityMesh& mesh) {
             if (other < v) pairs.push_back({v, other});
         });
     };
-    return weld(collect<Pair>(mesh.positions.size(), find), mesh);
+    const auto pairs = collect<Pair>(mesh.positions.size(), find);
+    if (pairs.empty()) return false;
+    DisjointSets sets(mesh.positions.size());
+    for (const auto& [a, b] : pairs)
+        sets.unite(a, b);
+    replace_vertices(sets.take_roots(), mesh);
+    drop_triangles(mesh);
+    return true;
 }
 
 /// Calls visit(triangle) for those that pass within the precision of a straight line.
@@ -214,8 +209,7 @@ void straighten(const std::vector<Contact>& on_edges, VisibilityMesh& mesh) {
         }
 }
 
-/// The steps above. Contacts are found anew until no vertices are at one place, since merging them
-/// changes the triangles.
+/// The steps above.
 void find_edges(VisibilityMesh& mesh, const StageProgress& stage) {
     replace_vertices(first_equal_positions(mesh.positions), mesh);  // 1
     unfold_needles(mesh.positions, mesh.triangles);
@@ -225,9 +219,7 @@ void find_edges(VisibilityMesh& mesh, const StageProgress& stage) {
     if (weld_borders(on_border, mesh)) on_border = border_vertices(mesh);
     const auto corners = std::uint32_t(mesh.positions.size());
     SurfaceContacts contacts = find_surface_contacts(mesh, on_border, stage.part(0.4, 0.9));  // 3
-    while (weld(contacts.at_one_place, mesh))
-        contacts = find_surface_contacts(mesh, border_vertices(mesh), stage.part(0.9, 0.9));
-    if (!contacts.cuts.empty()) {  // 4
+    if (!contacts.cuts.empty()) {                                                             // 4
         weld_ends(corners, mesh, contacts);
         find_on_cuts(mesh, contacts);
     }
