@@ -104,7 +104,7 @@ TEST(ReferenceField, HasTheSameScale) {
     const double edge = reference::mean_edge(mesh), diagonal = reference::diagonal(mesh);
     EXPECT_NEAR(scale.mean_edge, edge, 1e-12);
     EXPECT_NEAR(scale.diagonal, diagonal, 1e-12);
-    EXPECT_NEAR(scale.kernel_size, std::max(1.3 * edge, 0.0045 * diagonal), 1e-9);
+    EXPECT_NEAR(scale.kernel_size, std::max(edge, 0.0045 * diagonal), 1e-9);
     EXPECT_EQ(scale.normal_sigma, 0);
     EXPECT_DOUBLE_EQ(measured.kernel_size, scale.kernel_size);
     EXPECT_EQ(measured.normal_sigma, 0) << "known only once the surface is looked at";

@@ -16,7 +16,7 @@ def expect_said(*regexes):
 
 small_torus()
 accept("out.ply", EXAMPLE)
-expect_said("Laplacian lines: 1200 vertices, 2400 triangles", r"= 1\.30 mean edges =",
+expect_said("Laplacian lines: 1200 vertices, 2400 triangles", r"= 1\.00 mean edges =",
             r"Roughness 0\.[0-9]+: normals smoothed by 0\.[0-9]+ mean edges", "Normal Smoothing: Gaussian",
             "stored per vertex in ll_normal, ll_laplacian_normal, ll_shape_diagonal, ll_shape_off_diagonal, ll_kernel_size")
 accept("all.ply", EXAMPLE, kernel_size=0.2, kernel_mode=1, laplace_operator=1, normal_smoothing=2, normal_sigma=1.5,

@@ -26,16 +26,21 @@ enum class GradientEstimator {
     LeastSquares,  ///< fit in a ball (the paper's Eq. 3), solved in the tangent plane
 };
 
+/// The least automatic √h, in mean edges. Decimated scans have features one or two edges wide;
+/// against noise, smoothing of normals is better than a larger kernel.
+constexpr double kLeastKernelEdges = 1;
+
 /// Options of the view-independent field; the defaults need no tuning per model. ē is the mean edge
 /// length of the mesh, D the diagonal of its bounding box. Names, limits and help: option_table.h.
 struct PrecomputeOptions {
     /// √h, mesh units; the Gaussian of Eq. 2 has the standard deviation √2·√h. 0: automatic,
-    /// max(1.3 ē, 0.45 % of D).
+    /// max(ē, 0.45 % of D).
     double kernel_size = 0;
     /// If > 0, the √h for a drawing at a given size, mesh units, instead of kernel_size: from
-    /// 1.3 ē, below which the mesh has no detail, to 4 % of D, or 1.3 ē where that is more. An
-    /// automatic normal_sigma is then at least a quarter of it.
+    /// least_drawn_edges · ē to 4 % of D, or the former where that is more. An automatic
+    /// normal_sigma is then at least a quarter of it.
     double drawn_kernel_size = 0;
+    double least_drawn_edges = kLeastKernelEdges;
     /// Adaptive: √h(p) = √h · clamp(ē(p)/ē, 1/4, 4), with ē(p) the mean length of the edges at p,
     /// averaged over one-rings ten times. Normal smoothing scales by the same factor.
     KernelMode kernel_mode = KernelMode::Uniform;

@@ -20,9 +20,6 @@ namespace laplacian_lines {
 std::vector<Eigen::Vector3d> vertex_normals(const PreparedMesh& mesh, const VertexRanges& ranges,
                                             NormalWeighting weighting, const StageProgress& stage);
 
-/// The least √h that shows detail of a mesh, in the unit of its mean edge.
-double least_kernel_size(double mean_edge);
-
 /// √h in local units: the option, or the automatic size.
 double global_kernel_size(const PreparedMesh& mesh, const PrecomputeOptions& options);
 

@@ -12,24 +12,17 @@ constexpr double kSmallestRatio = 0.25, kLargestRatio = 4;
 // In D. Beyond these, nothing changes: no vertex is within the kernel, or all are.
 constexpr double kSmallestKernel = 1e-7, kLargestKernel = 1e4;
 constexpr double kLargestDrawnKernel = 0.04;  // D
-// Mean edges. Decimated scans have features one or two edges wide: 1 instead of 1.3 shows no more
-// of them, but clutter. Against noise, smoothing of normals is better than a larger kernel.
-constexpr double kLeastEdges = 1.3;
 constexpr double kLeastShare = 0.0045;  // D: finer meshes do not get ever finer lines
 
 }  // namespace
 
-double least_kernel_size(double mean_edge) {
-    return kLeastEdges * mean_edge;
-}
-
 double automatic_kernel_size(double mean_edge, double diagonal) {
-    return std::max(least_kernel_size(mean_edge), kLeastShare * diagonal);
+    return std::max(kLeastKernelEdges * mean_edge, kLeastShare * diagonal);
 }
 
 double global_kernel_size(const PreparedMesh& mesh, const PrecomputeOptions& options) {
     if (options.drawn_kernel_size > 0) {
-        const double least = least_kernel_size(mesh.mean_edge);
+        const double least = options.least_drawn_edges * mesh.mean_edge;
         return std::clamp(options.drawn_kernel_size / mesh.diagonal, least,
                           std::max(least, kLargestDrawnKernel));
     }

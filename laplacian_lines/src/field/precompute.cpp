@@ -32,13 +32,13 @@ constexpr double kSmoothNormals = 0.45, kFitted = 0.55, kTensors = 0.6;
 constexpr double kDerivatives = 0.15;  // of the time with them
 
 constexpr double kDrawnSigma = 0.25;  // of √h, see PrecomputeOptions::drawn_kernel_size
-// Sigma in mean edges where triangles are finer than the kernel: removes noise, no lines.
-constexpr double kFineSigma = 0.8, kSigmaOfFineness = 0.75;
+// Sigma in mean edges where kernels have more edges than the first: removes noise, no lines.
+constexpr double kFineKernel = 1.3, kFineSigma = 0.8, kSigmaOfFineness = 0.75;
 
-/// 0 for the smallest kernel of these edges; local units.
+/// 0 for the smallest kernels of these edges; local units.
 double least_sigma(double kernel_size, double mean_edge) {
-    const double least = least_kernel_size(mean_edge);
-    const double fineness = kernel_size * kernel_size - least * least;
+    const double coarse = kFineKernel * mean_edge;
+    const double fineness = kernel_size * kernel_size - coarse * coarse;
     return std::min(kFineSigma * mean_edge, kSigmaOfFineness * std::sqrt(std::max(fineness, 0.)));
 }
 

@@ -18,8 +18,8 @@ const std::vector<OptionRow<PrecomputeOptions>>& precompute_option_table() {
     static const std::vector<OptionRow<O>> table = {
         row<&O::kernel_size>("kernel_size", "Kernel Size", OptionKind::Length, 0, kUnlimited,
                              "Size of the features that the lines show, &radic;h, in mesh units: "
-                             "larger gives fewer and smoother lines. 0 means automatic: 1.3 mean "
-                             "edges, but at least 0.45 % of the diagonal."),
+                             "larger gives fewer and smoother lines. 0 means automatic: the mean "
+                             "edge, but at least 0.45 % of the diagonal."),
         choice<&O::kernel_mode>(
             "kernel_mode", "Kernel", {"Uniform", "Adaptive"},
             "Uniform: one size everywhere. Adaptive: it and the smoothing of normals follow the "

@@ -37,8 +37,9 @@ double kernel_factor(double detail) {
 /// `mm`: on paper, per mesh unit.
 PrecomputeOptions field_options(const SheetOptions& options, double mm) {
     PrecomputeOptions result;
-    result.drawn_kernel_size = kernel_factor(options.style.detail) *
-                               laplacian_lines::kDrawnKernelWidths *
+    const double factor = kernel_factor(options.style.detail);
+    result.least_drawn_edges = laplacian_lines::kLeastKernelEdges * std::min(factor, 1.);
+    result.drawn_kernel_size = factor * laplacian_lines::kDrawnKernelWidths *
                                options.pens[std::size_t(LineClass::Inner)] / mm;
     result.curvature_derivatives = options.style.shows.needs_derivatives();
     return result;
@@ -80,8 +81,9 @@ double ObjectLines::distance(const Extractors& kept, const PrecomputeOptions& wa
     if (kept.made.curvature_derivatives < wanted.curvature_derivatives) return INFINITY;
     const double asked = kept.made.drawn_kernel_size, now = wanted.drawn_kernel_size;
     const auto is_same = [&](double kernel) {
-        // Requests beyond the limits of kernels get the limit.
-        const double least = asked < (1 - kSameKernel) * kernel ? 0 : asked,
+        // Requests beyond the limits of kernels get the limit, which is the same for one Detail.
+        const bool has_limit = kept.made.least_drawn_edges == wanted.least_drawn_edges;
+        const double least = has_limit && asked < (1 - kSameKernel) * kernel ? 0 : asked,
                      most = asked > (1 + kSameKernel) * kernel ? INFINITY : asked;
         return (1 - kSameKernel) * least <= now &&
                now <= (1 + kSameKernel) * std::max(most, kernel);
