@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "laplacian_lines/option_table.h"
-
+// The options of the field and of lines. The order is that of dialogs.
 #include <limits>
-#include <sstream>
 
-#include "laplacian_lines/error.h"
 #include "laplacian_lines/option_rows.h"
 
 namespace laplacian_lines {
@@ -14,54 +11,7 @@ using namespace option_rows;
 
 constexpr double kUnlimited = std::numeric_limits<double>::max();
 
-std::string in_words(double value) {
-    std::ostringstream text;
-    text << value;
-    return text.str();
-}
-
-template <class Options>
-void check_ranges(const std::vector<OptionRow<Options>>& table, const Options& options) {
-    for (const auto& option : table) {
-        const double value = option.get(options);
-        if (value >= option.minimum && value <= option.maximum) continue;
-        refuse_value('"' + std::string(option.label) + '"', in_words(value),
-                     allowed_values(option));
-    }
-}
-
 }  // namespace
-
-std::string allowed_values(const OptionDescription& option) {
-    switch (option.kind) {
-        case OptionKind::Boolean:
-            return "on or off";
-        case OptionKind::Choice: {
-            std::string items;
-            for (std::size_t i = 0; i < option.choices.size(); ++i)
-                items += (i > 0 ? ", " : "") + std::to_string(i) + " (" + option.choices[i] + ")";
-            return "one of " + items;
-        }
-        case OptionKind::Color:
-            return "a color, such as #202020 or gray";
-        case OptionKind::Text:
-        case OptionKind::File:
-            return "a text";
-        case OptionKind::Position:
-            return "three finite numbers";
-        case OptionKind::Direction:
-            return "three finite numbers, not all 0";
-        case OptionKind::Real:
-        case OptionKind::Length:
-            break;
-    }
-    if (option.maximum == kUnlimited) return "at least " + in_words(option.minimum);
-    return "between " + in_words(option.minimum) + " and " + in_words(option.maximum);
-}
-
-void refuse_value(const std::string& what, const std::string& value, const std::string& allowed) {
-    refuse(what + " is " + value + ". It has to be " + allowed + ".");
-}
 
 const std::vector<OptionRow<PrecomputeOptions>>& precompute_option_table() {
     using O = PrecomputeOptions;
@@ -122,19 +72,14 @@ const std::vector<OptionRow<PrecomputeOptions>>& precompute_option_table() {
     return table;
 }
 
-namespace {
-
-using StyleRow = OptionRow<LineStyle>;
-using S = LineStyle;
-
-}  // namespace
-
 const std::vector<OptionRow<LineStyle>>& line_style_table() {
-    static const std::vector<StyleRow> table = {
+    using S = LineStyle;
+    static const std::vector<OptionRow<S>> table = {
         real<&S::detail>("detail", "Detail", 0, 100,
                          "More or fewer lines, 0 to 100: moves all thresholds together. 50 leaves "
                          "them as they are."),
 
+        // Which kinds are drawn; what belongs to one alone follows it.
         kind_switch<LineKind::Contour, &S::shows>(),
         boolean<&S::exact_outlines>("exact_outlines", "Exact Outlines",
                                     "Outlines follow edges of a mesh whose triangles are large or "
@@ -180,6 +125,7 @@ const std::vector<OptionRow<LineStyle>>& line_style_table() {
                                "How sharp the maximum of the change of shading must be (no unit). "
                                "Larger leaves out faint lines."),
 
+        // Thresholds, and how lines on the surface look.
         real<&S::gradient_threshold>(
             "gradient_threshold", "Gradient Threshold t", 0, 1e6,
             "Least change of the shading across a line (gradient times bounding-box diagonal, no "
@@ -229,14 +175,6 @@ const std::vector<OptionRow<LineStyle>>& line_style_table() {
                                     "since they only double it; in bounding-box diagonals."),
     };
     return table;
-}
-
-void validate(const PrecomputeOptions& options) {
-    check_ranges(precompute_option_table(), options);
-}
-
-void validate(const LineStyle& style) {
-    check_ranges(line_style_table(), style);
 }
 
 }  // namespace laplacian_lines

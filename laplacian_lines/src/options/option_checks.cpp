@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Checks of options against their tables, and what a refusal says.
+#include "laplacian_lines/option_table.h"
+
+#include <limits>
+#include <sstream>
+
+#include "laplacian_lines/error.h"
+
+namespace laplacian_lines {
+namespace {
+
+constexpr double kUnlimited = std::numeric_limits<double>::max();
+
+std::string in_words(double value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+}
+
+template <class Options>
+void check_ranges(const std::vector<OptionRow<Options>>& table, const Options& options) {
+    for (const auto& option : table) {
+        const double value = option.get(options);
+        if (value >= option.minimum && value <= option.maximum) continue;
+        refuse_value('"' + std::string(option.label) + '"', in_words(value),
+                     allowed_values(option));
+    }
+}
+
+}  // namespace
+
+std::string allowed_values(const OptionDescription& option) {
+    switch (option.kind) {
+        case OptionKind::Boolean:
+            return "on or off";
+        case OptionKind::Choice: {
+            std::string items;
+            for (std::size_t i = 0; i < option.choices.size(); ++i)
+                items += (i > 0 ? ", " : "") + std::to_string(i) + " (" + option.choices[i] + ")";
+            return "one of " + items;
+        }
+        case OptionKind::Color:
+            return "a color, such as #202020 or gray";
+        case OptionKind::Text:
+        case OptionKind::File:
+            return "a text";
+        case OptionKind::Position:
+            return "three finite numbers";
+        case OptionKind::Direction:
+            return "three finite numbers, not all 0";
+        case OptionKind::Real:
+        case OptionKind::Length:
+            break;
+    }
+    if (option.maximum == kUnlimited) return "at least " + in_words(option.minimum);
+    return "between " + in_words(option.minimum) + " and " + in_words(option.maximum);
+}
+
+void refuse_value(const std::string& what, const std::string& value, const std::string& allowed) {
+    refuse(what + " is " + value + ". It has to be " + allowed + ".");
+}
+
+void validate(const PrecomputeOptions& options) {
+    check_ranges(precompute_option_table(), options);
+}
+
+void validate(const LineStyle& style) {
+    check_ranges(line_style_table(), style);
+}
+
+}  // namespace laplacian_lines
