@@ -48,9 +48,7 @@ struct FacingKind {
 
     static inline std::uint64_t unwanted(const LineRules& rules, const Cluster& cluster,
                                          unsigned group) {
-        const std::uint64_t* convex =
-            rules.cut_by_convex() ? cluster.convex : cluster.convex_around;
-        return (rules.leave_out_convex ? convex[group] : 0) |
+        return (rules.leave_out_convex ? cluster.convex[group] : 0) |
                (rules.drop_featureless ? cluster.featureless[group] : 0);
     }
 };
