@@ -8,7 +8,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "mesh/box_tree.h"
+#include "mesh/curve_order.h"
 
 namespace laplacian_lines {
 namespace {
