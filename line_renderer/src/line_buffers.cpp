@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A segment is an instance of four corners, and its points are read from one stream of points by
+// bindings that are a point apart: the one before it, its ends, the one after it.
 #include "line_buffers.h"
 
 #include <algorithm>
@@ -15,8 +17,7 @@ void point_attribute(LineAttribute attribute, GLint floats, GLsizei stride, std:
     set_divisor(attribute, divisor);
 }
 
-/// One array, bound at four offsets of a point each.
-constexpr LineAttribute kWindows[] = {Before, Start, End, After};
+constexpr LineAttribute kFourPoints[] = {Before, Start, End, After};
 
 GLsizeiptr bytes(std::size_t points) {
     return GLsizeiptr(points * sizeof(StreamPoint));
@@ -63,8 +64,8 @@ void LineBuffers::bind(std::size_t first) const {
     glBindBuffer(GL_ARRAY_BUFFER, stream_);
     const std::size_t begin = first * sizeof(StreamPoint);
     std::size_t offset = begin;
-    for (LineAttribute window : kWindows) {
-        point_attribute(window, 4, sizeof(StreamPoint), offset, 1);
+    for (LineAttribute attribute : kFourPoints) {
+        point_attribute(attribute, 4, sizeof(StreamPoint), offset, 1);
         offset += sizeof(StreamPoint);
     }
     const std::size_t look = begin + offsetof(StreamPoint, opacity);

@@ -27,7 +27,8 @@ bool is_whole(double number) {
     return std::abs(number - std::round(number)) < 1e-3;
 }
 
-/// Tiles start at the lower left.
+/// MeshLab draws a large snapshot in n x n tiles, from the lower left on: the middle of the whole
+/// is n - 1 half tiles to the right of and above that of the first.
 bool is_first_tile(const Eigen::Vector2d& offset) {
     return offset.x() > 0.5 && std::abs(offset.x() - offset.y()) < 1e-3 && is_whole(offset.x());
 }

@@ -7,15 +7,12 @@ import pathlib
 import platform
 import re
 import shutil
-import sys
 
-from checks.names import wrong_names
+from checks.static import check_statically
 from environment import packages
 from environment.build import CHECKOUT, build_folder, build_targets, ctest, processors
-from environment.files import cache_folder
 from environment.messages import Failure, output, quietly, run, run_together, say
 
-PACKAGES = "clang clang-format libclang-rt-dev llvm cppcheck git shellcheck python3-pyflakes universal-ctags".split()
 LEAST_COVERAGE = 97  # percent of the core's lines
 # Under sanitizers these take minutes: accuracy, many meshes, triangles, options or threads. Others run the same code.
 SLOW_UNDER_SANITIZERS = """*WithAnyOptions* *Converge* *Large* *KindsOnSurface* *ClosedOutlines* CostlySum.* Determinism.*
@@ -24,8 +21,6 @@ FUZZED = "core", "ply", "stl", "obj", "off"
 FUZZ_SECONDS, NIGHTLY_FUZZ_SECONDS = 20, 600  # of all at once; inputs that were found once are tests
 FUZZERS = [*(f"fuzz_{part}" for part in FUZZED), "write_seeds"]
 CHECKED = "core_tests", "mesh_files_tests", *FUZZERS
-CPP_FOLDERS = """laplacian_lines line_drawing line_renderer filter_laplacian_lines decorate_laplacian_lines meshlab_host
-    programs/drawing_program""".split()
 GUI_TESTS = ("gui_filters", "gui_layers", "gui_lines")  # without any named
 THREADED_TESTS = """ThreadPool.* *NumberOfThreads* *ThreadsAtOnce* LineVisibility.AgreesWithTheExactTorus
     *InProgress*""".split()  # without any named
@@ -53,34 +48,8 @@ def build_with_clang(preset, *targets):
     """All targets if none is named. Warnings are errors."""
     # for ccache, which would otherwise hash this file's name instead of its contents
     ignored = CHECKOUT / "scripts/cmake/sanitizer_ignorelist.txt"
-    build_targets(*targets, preset=preset, extra_packages=[*packages.TEST, *PACKAGES], build=checks_folder(preset),
+    build_targets(*targets, preset=preset, extra_packages=[*packages.TEST, *packages.CHECKS], build=checks_folder(preset),
                   CCACHE_IGNOREOPTIONS="-fsanitize-ignorelist=*", CCACHE_EXTRAFILES=str(ignored))
-
-
-def check_statically():
-    """cppcheck, names and layout of all C++, with reasons for suppressions; shellcheck of all shell scripts; pyflakes of all
-    Python."""
-    packages.ensure_packages(*PACKAGES)
-    kept = cache_folder() / "cppcheck"  # what has not changed is not analysed again
-    kept.mkdir(parents=True, exist_ok=True)
-    if run(["cppcheck", f"--cppcheck-build-dir={kept}", "--quiet", "--error-exitcode=1", "--std=c++17", "--language=c++",
-            "-j", str(processors()), "--enable=warning,performance,portability",
-            "--suppressions-list=scripts/checks/cppcheck_suppressions.txt", "-I", "laplacian_lines/include", "-I",
-            "laplacian_lines/src", *CPP_FOLDERS], cwd=CHECKOUT, stdout=2) != 0:
-        raise Failure("cppcheck found the above: fix it, or say why not in scripts/checks/cppcheck_suppressions.txt")
-    files = [CHECKOUT / name for name in output("git", "-c", "safe.directory=*", "-C", CHECKOUT, "ls-files").splitlines()]
-    files = [file for file in files if file.is_file()]
-    code = [file for file in files if file.suffix in (".cpp", ".h")]
-    if wrong := list(wrong_names(code)):
-        raise Failure("names of another convention, see docs/CONTRIBUTING.md:\n" + "\n".join(wrong))
-    if run(["clang-format", "--dry-run", "--Werror", *code], stdout=2) != 0:
-        raise Failure("clang-format -i lays out the files named above")
-    if run(["shellcheck", *(file for file in files if re.match(rb"#!.*\b(ba)?sh\b", file.read_bytes()))], stdout=2) != 0:
-        raise Failure("shellcheck found the above")
-    said = output("sh", "-c", '"$0" -m pyflakes "$@" || true', sys.executable, *(file for file in files if file.suffix == ".py"))
-    # what tests have by "from harness import *" is not known to it
-    if found := re.findall(r"^(?!.*(?:import \*|star imports|tests/.* unused)).+$", said, re.M):
-        raise Failure("pyflakes found\n" + "\n".join(found))
 
 
 def check_sanitized():

@@ -14,6 +14,7 @@ DISPLAY = "xvfb fonts-dejavu-core".split()
 CORE = "g++ make cmake libeigen3-dev zlib1g-dev libstb-dev".split()  # enough without MeshLab
 PACKAGING = ["dpkg-dev", "file"]  # CPack asks them what is a library, and whose
 TEST = "libgtest-dev libbenchmark-dev imagemagick ccache librsvg2-bin poppler-utils".split() + PACKAGING
+CHECKS = "clang clang-format libclang-rt-dev llvm cppcheck git shellcheck python3-pyflakes universal-ctags".split()
 # meshlab 2022 and later show a modal box at start when a bundled plugin misses one of these Recommends; 2020.09 depends
 # on all it needs. Unknown names are skipped.
 MESHLAB_RECOMMENDS = """lib3ds-1-3 libgomp1 libmuparser2v5 libopenctm1 libqhull-r8.0 libxerces-c3.2t64 libmpfr6

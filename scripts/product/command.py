@@ -40,7 +40,8 @@ def setting(text):
     return text
 
 
-def parse(words):
+def make_parser():
+    """With the names of the options that only pictures have."""
     parser = Parser("./run", description=ABOUT, epilog=MORE, usage="./run [OPTIONS] [MESH...]")
     parser.add_argument("meshes", nargs="*", metavar="MESH", help=argparse.SUPPRESS)
     parser.add_argument("--set", action="append", type=setting, default=[], metavar="NAME=VALUE", help="any parameter of the "
@@ -60,9 +61,13 @@ def parse(words):
                        "installed here")
     parser.add_argument("--portable", action="store_true", help="with --package, makes a .zip for MeshLab 2025.07 as its "
                         "authors publish it, on any Linux")
-    of_pictures = picture.add_options(parser.add_argument_group("of pictures"))
-    options = parser.parse_intermixed_args(words)
+    return parser, picture.add_options(parser.add_argument_group("of pictures"))
 
+
+def parse(words):
+    """The options, if they go together; without a display a picture is asked for."""
+    parser, of_pictures = make_parser()
+    options = parser.parse_intermixed_args(words)
     others = [name for name in ("server", "python", "install", "uninstall", "package", "portable")
               if getattr(options, name) not in (None, False)]
     if others and (options.meshes or options.set or options.up):

@@ -33,21 +33,27 @@ def plate(corners, thickness, holes=()):
     return mesh_of(Manifold.extrude(area, thickness))
 
 
+def rounded_face(half, fillet, bow, axis, side):
+    """Points of a grid on a face of the sharp box, each moved to the distance `fillet` from the nearest place of the core,
+    which is smaller by the fillet on all sides. `bow`: steps beyond the core that become even along the fillet."""
+    others = (axis + 1) % 3, (axis + 2) % 3
+    ticks = [half[k] - fillet + bow for k in others]
+    grid = np.stack(np.meshgrid(*(np.append(-tick[::-1], tick) for tick in ticks), indexing="ij"), -1).reshape(-1, 2)
+    point = np.full((len(grid), 3), side * half[axis])
+    point[:, others] = grid
+    core = np.clip(point, fillet - half, half - fillet)
+    return core + fillet * (point - core) / np.linalg.norm(point - core, axis=1, keepdims=True)
+
+
 def rounded_box(size, fillet, steps):
     """Each face and its half of the fillets is a grid, as CAD programs write it."""
-    half, points, faces = np.array(size) / 2, [], []
-    bow = fillet * np.tan(np.linspace(0, np.pi / 4, steps + 1))
+    half, bow = np.array(size) / 2, fillet * np.tan(np.linspace(0, np.pi / 4, steps + 1))
     places = np.arange((2 * steps + 2)**2).reshape(2 * steps + 2, -1)
     quads = np.stack([places[:-1, :-1], places[1:, :-1], places[1:, 1:], places[:-1, 1:]], -1).reshape(-1, 4)
+    points, faces = [], []
     for axis, side in itertools.product(range(3), (-1, 1)):
-        others = (axis + 1) % 3, (axis + 2) % 3
-        ticks = [half[k] - fillet + bow for k in others]
-        grid = np.meshgrid(*(np.append(-tick[::-1], tick) for tick in ticks), indexing="ij")
-        point = np.full((places.size, 3), side * half[axis])
-        point[:, others] = np.stack(grid, -1).reshape(-1, 2)
-        core = np.clip(point, fillet - half, half - fillet)
-        points.append(core + fillet * (point - core) / np.linalg.norm(point - core, axis=1, keepdims=True))
         faces.append((quads + len(faces) * places.size)[:, ::side][:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3))
+        points.append(rounded_face(half, fillet, bow, axis, side))
     mesh = trimesh.Trimesh(np.concatenate(points), np.concatenate(faces), process=False)
     mesh.merge_vertices(digits_vertex=7)
     return mesh

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// All edges between two triangles, and the planes of all triangles: a redraw evaluates the planes,
+// and the edges between signs are the contour.
 #include "clusters/edge_horizon.h"
 
 namespace laplacian_lines {
 namespace {
 
-constexpr double kLeastHollow = 0.02;  // sine
+constexpr double kLeastHollow = 0.02;  // sine of 1.1°: what is flatter hides no contour
 
 Eigen::Vector3d centre_of(const PreparedMesh& mesh, const Triangle& t) {
     return (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3;
@@ -18,6 +20,13 @@ Eigen::Vector3d normal_of(const PreparedMesh& mesh, const Triangle& t) {
 bool is_hollow(const PreparedMesh& mesh, const Triangle& a, const Triangle& b) {
     const Eigen::Vector3d between = centre_of(mesh, b) - centre_of(mesh, a);
     return normal_of(mesh, a).dot(between) > kLeastHollow * between.norm();
+}
+
+void append_plane(const PreparedMesh& mesh, const Triangle& t, EdgeHorizon& horizon) {
+    const Eigen::Vector3d normal = normal_of(mesh, t);
+    for (int k = 0; k < 3; ++k)
+        horizon.planes[k].push_back(float(normal[k]));
+    horizon.planes[3].push_back(float(normal.dot(mesh.positions[t[0]])));
 }
 
 }  // namespace
@@ -39,22 +48,17 @@ EdgeHorizon find_edge_horizon(const PreparedMesh& mesh, const CornerTable& sides
     EdgeHorizon horizon;
     for (const Eigen::Vector3d& p : mesh.positions)
         horizon.positions.push_back(p.cast<float>());
-    for (const Triangle& t : mesh.triangles) {
-        const Eigen::Vector3d normal = normal_of(mesh, t);
-        for (int k = 0; k < 3; ++k)
-            horizon.planes[k].push_back(float(normal[k]));
-        horizon.planes[3].push_back(float(normal.dot(mesh.positions[t[0]])));
-    }
+    for (const Triangle& t : mesh.triangles)
+        append_plane(mesh, t, horizon);
     for (std::uint32_t side = 0; side < sides.side_count(); ++side) {
         const std::uint32_t across = sides.across(side), from = begin_of(mesh.triangles, side);
         if (!sides.has_neighbour(side) || across < side) continue;
-        const bool is_reversed = from == begin_of(mesh.triangles, across);
-        horizon.edges.push_back(
-            {{from, end_of(mesh.triangles, side)},
-             {side / 3, across / 3},
-             is_reversed,
-             is_body && !is_reversed &&
-                 is_hollow(mesh, mesh.triangles[side / 3], mesh.triangles[across / 3])});
+        EdgeHorizon::Edge edge = {
+            {from, end_of(mesh.triangles, side)}, {side / 3, across / 3}, false, false};
+        edge.is_reversed = from == begin_of(mesh.triangles, across);
+        edge.is_hollow = is_body && !edge.is_reversed &&
+                         is_hollow(mesh, mesh.triangles[side / 3], mesh.triangles[across / 3]);
+        horizon.edges.push_back(edge);
     }
     return horizon;
 }

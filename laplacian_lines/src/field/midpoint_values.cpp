@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Vertices that undone subdivisions had added get the mean of what is at the ends of their edges.
+// Numbers that belong to a tangent frame are turned into that of the midpoint first: curvatures by
+// twice the angle between the frames, their derivatives as CubicForm does.
 #include "field/field_steps.h"
 
 #include <algorithm>

@@ -43,40 +43,53 @@ static inline void store_quarter(float (*p)[kSlopeLanes], std::size_t lane, cons
     store_quarter(p[2] + lane, dot(sv, v));
 }
 
+/// Vertices to sum at, in a vector's lanes; `place` in radii.
+struct LaneTargets {
+    Vector normal, u, v, place;
+    Floats per_radius;
+};
+static inline LaneTargets lane_targets(const TensorTargets& t, std::size_t lane) {
+    const Floats r = load(t.per_radius + lane);
+    return {load_vectors(t.normal, lane), load_vectors(t.u, lane), load_vectors(t.v, lane),
+            load_vectors(t.position, lane) * r, r};
+}
+
+/// A source seen from the targets.
+struct Seen {
+    Floats weight, x, y;
+};
+/// The weight is 4 w, for 4 facing_weight() = (1 + cosine)² (3 − (1 + cosine)).
+static inline Seen see(const LaneTargets& t, const TensorSource& s) {
+    const Vector d = {s.x * t.per_radius - t.place.x, s.y * t.per_radius - t.place.y,
+                      s.z * t.per_radius - t.place.z};
+    const Floats inside = at_least(1 - d.x * d.x - d.y * d.y - d.z * d.z, 0);
+    // 1 + cosine
+    const Floats facing =
+        s.normal[2] * t.normal.z + (s.normal[1] * t.normal.y + (s.normal[0] * t.normal.x + 1.f));
+    const Floats root = inside * facing;
+    return {(s.mass * (3 - facing)) * (root * root), dot(d, t.u), dot(d, t.v)};
+}
+
 /// Sources whose weights are kept, so that registers hold either what these need or some sums.
 constexpr std::size_t kTogether = 32;
 
 // Multiplications bound this loop: tensors are summed in space and projected at the end; weights
-// are 4 facing_weight(), corrected on storing.
+// are corrected on storing.
 static inline void sum(const TensorTargets& targets, const TensorSource* sources, std::size_t count,
                        std::size_t lane, TensorSums& sums) {
     using Sums = TensorSums;
-    const Vector m = load_vectors(targets.normal, lane), u = load_vectors(targets.u, lane),
-                 v = load_vectors(targets.v, lane);
-    const Floats r = load(targets.per_radius + lane);
-    const Vector at = load_vectors(targets.position, lane), p = {r * at.x, r * at.y, r * at.z};
+    const LaneTargets t = lane_targets(targets, lane);
     Floats weight{}, x_sum{}, y_sum{}, xx{}, xy{}, yy{};
     Tensors s_sum, xs_sum, ys_sum;
     for (; count > 0; sources += kTogether) {
         const std::size_t some = count < kTogether ? count : kTogether;
         Floats w[kTogether], wx[kTogether], wy[kTogether];
         for (std::size_t i = 0; i < some; ++i) {
-            const TensorSource& s = sources[i];
-            const Vector d = {s.x * r - p.x, s.y * r - p.y, s.z * r - p.z};
-            const Floats inside = at_least(1 - d.x * d.x - d.y * d.y - d.z * d.z, 0);
-            // 1 + cosine
-            const Floats facing =
-                s.normal[2] * m.z + (s.normal[1] * m.y + (s.normal[0] * m.x + 1.f));
-            const Floats root = inside * facing;
-            const Floats x = dot(d, u), y = dot(d, v);
-            w[i] = (s.mass * (3 - facing)) * (root * root);
-            wx[i] = w[i] * x, wy[i] = w[i] * y;
-            weight += w[i];
-            x_sum += wx[i];
-            y_sum += wy[i];
-            xx += wx[i] * x;
-            xy += wx[i] * y;
-            yy += wy[i] * y;
+            const Seen seen = see(t, sources[i]);
+            w[i] = seen.weight;
+            wx[i] = w[i] * seen.x, wy[i] = w[i] * seen.y;
+            weight += w[i], x_sum += wx[i], y_sum += wy[i];
+            xx += wx[i] * seen.x, xy += wx[i] * seen.y, yy += wy[i] * seen.y;
         }
         add(sources, w, some, s_sum);
         add(sources, wx, some, xs_sum);
@@ -89,9 +102,9 @@ static inline void sum(const TensorTargets& targets, const TensorSource* sources
     store_quarter(sums.numbers[Sums::kXX] + lane, xx);
     store_quarter(sums.numbers[Sums::kXY] + lane, xy);
     store_quarter(sums.numbers[Sums::kYY] + lane, yy);
-    store_quarter(&sums.numbers[Sums::kEntries], lane, s_sum, u, v);
-    store_quarter(&sums.numbers[Sums::kXEntries], lane, xs_sum, u, v);
-    store_quarter(&sums.numbers[Sums::kYEntries], lane, ys_sum, u, v);
+    store_quarter(&sums.numbers[Sums::kEntries], lane, s_sum, t.u, t.v);
+    store_quarter(&sums.numbers[Sums::kXEntries], lane, xs_sum, t.u, t.v);
+    store_quarter(&sums.numbers[Sums::kYEntries], lane, ys_sum, t.u, t.v);
 }
 
 static inline void sum_all(const TensorTargets& targets, const TensorSource* sources,

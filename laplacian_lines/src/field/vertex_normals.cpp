@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The normal of a vertex is the mean of its triangles' normals, weighted by one of the rules that
+// users may choose from; where they cancel, that of any of its triangles.
 #include "field/field_steps.h"
 
 #include <Eigen/Geometry>

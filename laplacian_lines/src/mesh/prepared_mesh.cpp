@@ -40,29 +40,14 @@ constexpr std::size_t kFewTriangles = 1000;  // coordinates of so few may be rou
 // In steps: if no triangle is larger, the form consists of voxels or hexahedra.
 constexpr double kCell = 2.5;
 
-// Sums of squared lengths in this range can be squared without overflow or underflow.
-constexpr double kLeastSafe = 1e-60, kLargestSafe = 1e60;
-
 using Positions = std::vector<Eigen::Vector3d>;
 
-/// Slower, for coordinates of any size.
-bool is_degenerate_at_any_scale(const Positions& positions, const Triangle& t) {
-    const Eigen::Vector3d &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
-    if (!a.allFinite() || !b.allFinite() || !c.allFinite()) return true;
-    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-    if (!(longest > 0)) return true;
-    const Eigen::Vector3d u = (b - a) / longest, v = (c - a) / longest;
-    return !(u.cross(v).norm() > kLeastSine);
-}
-
+/// Also if a corner is not finite, or so far off that squares are not.
 bool is_degenerate(const Positions& positions, const Triangle& t) {
     const Eigen::Vector3d u = positions[t[1]] - positions[t[0]],
                           v = positions[t[2]] - positions[t[0]];
-    const double uu = u.squaredNorm(), vv = v.squaredNorm(), ww = (v - u).squaredNorm();
-    const double sum = uu + vv + ww;
-    if (!(sum > kLeastSafe && sum < kLargestSafe))  // also if one is not finite
-        return is_degenerate_at_any_scale(positions, t);
-    const double least = kLeastSine * std::max({uu, vv, ww});
+    const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
+    const double least = kLeastSine * longest;
     return !(u.cross(v).squaredNorm() > least * least);
 }
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The order of memory:
+//  1. Vertices follow the tree.
+//  2. Triangles follow their smallest vertex.
+//  3. Each vertex gets its mass, a third of the area of the triangles around it.
 #include <algorithm>
 #include <array>
 #include <numeric>

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A redraw:
+//  1. The eye goes into local coordinates, and the style becomes rules for each kind of lines.
+//  2. Strips of all kinds are found, cluster by cluster (strips.cpp).
+//  3. Strips of a kind are joined across clusters and traced to lines (strip_tracing.cpp).
+//  4. Lines are finished (line_finishing.cpp).
+//  5. Lines that do not depend on the view are appended (fixed/).
 #include "laplacian_lines/line_extractor.h"
 
 #include <algorithm>

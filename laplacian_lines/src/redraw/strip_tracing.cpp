@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Joined strips are lines: open ones are followed from an end, then closed ones from any strip, and
+// kept if the rules accept them. Lines that are tested as a whole are followed to collect the means
+// of their pieces first; the parts that LinePartFinder finds are then kept likewise.
 #include "redraw/strip_tracing.h"
 
 #include <algorithm>

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Sums from the first piece on, so that the mean between any two places of a line is a difference
+// of two of them, whatever the reach. At each knot the means over the reach say how clearly the
+// line is seen; parts are runs of pieces of which something is seen.
 #include "rules/line_parts.h"
 
 #include <algorithm>

@@ -2,12 +2,10 @@
 // The sums over all vertices q, for every vertex p, that Eq. 2 of the paper needs,
 //     Σ m w exp(−|q − p|²/4h) times 1, n_q and q − p,   w = facing_weight(n_q·n_p) or 1,
 // on a grid, slab by slab along its longest axis:
-//  1. Spread: each mass times monomials of its normal (normal_moments.h) goes to the 4 x 4 x 4
-//  nodes
-//     around it, by cubic B-splines.
+//  1. Spread: each mass times monomials of its normal (normal_moments.h) goes to the nodes around
+//     it, 4 x 4 x 4, by cubic B-splines.
 //  2. Convolve the nodes along x, y and z (grid_convolution.h) with the filter of spline_kernel.h.
-//  3. Interpolate at each vertex, and take the gradient, from 5 x 5 x 5 nodes, by quartic
-//  B-splines.
+//  3. Interpolate at each vertex, and take the gradient, from 5 x 5 x 5 nodes, by quartic splines.
 //  4. Contract these moments with the normal at p, which gives the first two sums; the third is 2h
 //     times the gradient of the first.
 #include "sums/gaussian_sums.h"

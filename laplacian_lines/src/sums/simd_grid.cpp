@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The loops of the grid, see gaussian_grid.cpp: masses are spread to nodes by cubic B-splines,
+// convolved along one axis at a time, and interpolated at points by quartic B-splines. Weights of a
+// point are products of one for each axis.
 #include "sums/simd_grid.h"
 
 #include "system/simd_sets.h"

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Creases come as lines, from another preparation of the mesh, so their edges are found by place:
+//  1. The vertices near each segment of a crease, sorted along it.
+//  2. The edges between neighbours in this order. Surfaces may touch there, each with vertices of
+//     its own at the same place, so a vertex has several neighbours.
 #include "visibility/crease_marks.h"
 
 #include <algorithm>
@@ -8,8 +12,7 @@ namespace laplacian_lines {
 
 using Eigen::Vector3d;
 
-// Vertices of other surfaces that may lie at the end of an edge.
-constexpr std::size_t kAside = 4;
+constexpr std::size_t kNeighbours = 4;  // tried after each vertex along a segment
 
 /// The places of all vertices of edges.
 const VertexLookup& CreaseMarker::places() const {
@@ -23,7 +26,7 @@ const VertexLookup& CreaseMarker::places() const {
     });
 }
 
-/// The edges may end at vertices in between.
+/// Appends the edges along a segment; they may end at vertices within it.
 void CreaseMarker::find_along(const Vector3d& begin, const Vector3d& end,
                               std::vector<std::uint32_t>& edges) const {
     const double reach = 2 * mesh_.line_precision + mesh_.precision, length = (end - begin).norm();
@@ -38,7 +41,7 @@ void CreaseMarker::find_along(const Vector3d& begin, const Vector3d& end,
     std::sort(on.begin(), on.end());
     on.erase(std::unique(on.begin(), on.end()), on.end());
     for (std::size_t i = 0; i < on.size(); ++i)
-        for (std::size_t k = i + 1; k < std::min(on.size(), i + 1 + kAside); ++k) {
+        for (std::size_t k = i + 1; k < std::min(on.size(), i + 1 + kNeighbours); ++k) {
             const std::uint32_t edge = mesh_.edge_between(on[i].second, on[k].second);
             if (edge != VisibilityMesh::kNoEdge) edges.push_back(edge);
         }

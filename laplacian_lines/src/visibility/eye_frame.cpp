@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Axes of the picture for a view, with the eye slightly turned, and the part of a mesh that is
+// before the eye, by clipping at the near plane.
 #include "visibility/eye_frame.h"
 
 #include <Eigen/Geometry>

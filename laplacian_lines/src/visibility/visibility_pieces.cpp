@@ -8,7 +8,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "mesh/box_tree.h"
+#include "mesh/curve_order.h"
 
 namespace laplacian_lines {
 namespace {
@@ -60,17 +60,12 @@ void decide(const VisibilitySegments& all, VisibilityPiece& piece, std::uint32_t
                        describe(segment.kind).is_outline;
 }
 
-// Local: points this near to the surface are as visible as it is there.
-constexpr double kOnSurface = 1e-5;
-
-/// Whether a piece continues the one before as an uncrossed line on the surface. Not with coarse
-/// coordinates: parts may be behind the surface.
+/// Whether a piece continues the one before as an uncrossed line on the surface.
 bool continues(const VisibilitySegments& all, std::uint32_t first_crossing,
                const VisibilityPiece& before, const VisibilityPiece& piece) {
     const VisibilitySegment &from = all.segments[before.segment], &to = all.segments[piece.segment];
     return to.edge == VisibilitySegment::kNone && from.line == to.line &&
-           all.picture.mesh().line_precision < kOnSurface && before.nodes[1] == piece.nodes[0] &&
-           piece.nodes[0] < first_crossing;
+           before.nodes[1] == piece.nodes[0] && piece.nodes[0] < first_crossing;
 }
 
 /// The first pieces of runs that are visible or hidden as a whole, and the end of the last.

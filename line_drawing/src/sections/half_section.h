@@ -2,6 +2,7 @@
 #pragma once
 
 #include "laplacian_lines/triangle_mesh.h"
+#include "planes/clipping.h"
 #include "planes/cutting.h"
 #include "views/drawn_view.h"
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "planes/cutting.h"
+#include "planes/hatching.h"
 
 namespace line_drawing {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "line_drawing/words.h"
 #include "planes/corners.h"
-#include "planes/cutting.h"
+#include "planes/hatching.h"
 #include "sections/section_marks.h"
 #include "strokes/strokes.h"
 

@@ -9,6 +9,7 @@
 #include "laplacian_lines/triangle_mesh.h"
 #include "line_drawing/object.h"
 #include "line_drawing/sheet_options.h"
+#include "planes/cutting.h"
 #include "views/drawn_view.h"
 
 namespace line_drawing {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "planes/clipping.h"
+
 namespace line_drawing {
 namespace {
 

@@ -10,7 +10,6 @@
 #include "laplacian_lines/view.h"
 #include "line_drawing/object.h"
 #include "line_drawing/sheet_options.h"
-#include "planes/cutting.h"
 
 namespace line_drawing {
 

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface.h"
+
+#include <utility>
+
+namespace python_module {
+namespace {
+
+/// A line without what only LineVisibility knows.
+ViewLine view_line(const LineSet& set, const Polyline& line) {
+    ViewLine result;
+    result.kind = line.kind;
+    result.closed = line.closed;
+    result.strength = line.strength;
+    for (std::uint32_t i = line.first; i < line.first + line.count; ++i) {
+        const LinePoint& point = set.points[i];
+        result.points.push_back(
+            {set.position(point), point.weight, point.gradient, point.opacity, 0, false});
+    }
+    return result;
+}
+
+}  // namespace
+
+Surface::Surface(TriangleMesh mesh, const PrecomputeOptions& options, const Progress& progress)
+    : mesh_(std::move(mesh)),
+      field_(precompute(mesh_, options, progress)),
+      has_own_kernel_(options.kernel_size > 0),
+      wants_derivatives_(options.curvature_derivatives) {}
+
+Field Surface::field() const {
+    const std::lock_guard using_parts(parts_);
+    Field field = field_;
+    if (!wants_derivatives_) {
+        field.smooth_curvatures.clear();
+        field.curvature_derivatives.clear();
+    }
+    return field;
+}
+
+std::vector<ViewLine> Surface::lines(const View& view, const LineStyle& style,
+                                     const Progress& progress) {
+    const std::lock_guard using_parts(parts_);
+    ExtractionScratch scratch;
+    LineSet set;
+    extractor(style, progress).extract(view, style, scratch, set);
+    std::vector<ViewLine> lines;
+    for (const Polyline& line : set.lines)
+        lines.push_back(view_line(set, line));
+    return lines;
+}
+
+std::vector<ViewLine> Surface::visible_lines(const View& view, const LineStyle& style,
+                                             VisibilityOptions options, const Progress& progress) {
+    const std::lock_guard using_parts(parts_);
+    if (!visibility_) visibility_ = std::make_unique<LineVisibility>(mesh_, progress);
+    ExtractionScratch scratch;
+    const LineSet lines = extract_on_surface(extractor(style, progress), view, style, scratch);
+    options.shows = style.shows;
+    options.line_smoothing = style.line_smoothing;
+    options.shortest_contour = style.shortest_contour;
+    return visibility_->visible_lines(view, {lines}, options, progress);
+}
+
+std::vector<ViewLine> Surface::strokes(const line_drawing::ViewFrame& frame,
+                                       const line_drawing::SheetOptions& options, double size,
+                                       const Progress& progress) {
+    const std::lock_guard using_parts(parts_);
+    if (has_own_kernel_ && options.style.shows.needs_derivatives())
+        extractor(options.style, progress);  // adds them to the field
+    const line_drawing::Objects objects = {{mesh_, has_own_kernel_ ? &field_ : nullptr}};
+    return line_drawing::strokes_of(objects, frame, options, progress, size);
+}
+
+/// With derivatives if the style needs them.
+const LineExtractor& Surface::extractor(const LineStyle& style, const Progress& progress) {
+    if (!extractor_) extractor_ = std::make_unique<LineExtractor>(mesh_, field_, progress);
+    if (style.shows.needs_derivatives() && !field_.has_derivatives()) {
+        Field field = field_;  // as a whole or not at all
+        add_curvature_derivatives(mesh_, field, progress);
+        extractor_->add_derivatives(mesh_, field);
+        field_ = std::move(field);
+    }
+    return *extractor_;
+}
+
+}  // namespace python_module
