@@ -64,12 +64,16 @@ public:
 private:
     using Values = std::vector<LocalVertex>;  // of a cluster's vertices
 
-    /// Finds the vertices that are convex by is_convex().
+    /// Finds the vertices that are convex by is_convex(), as are all their neighbours.
     void find_convex() {
         convex_.resize(mesh_.size());
         for_each_element(mesh_.size(), [&](std::size_t v) {
             convex_[v] = is_convex(local_shape_operator(mesh_.original_vertex[v]));
         });
+        convex_around_ = convex_;
+        for (const Triangle& t : mesh_.triangles)
+            if (!convex_[t[0]] || !convex_[t[1]] || !convex_[t[2]])
+                convex_around_[t[0]] = convex_around_[t[1]] = convex_around_[t[2]] = 0;
     }
 
     void judge_borders() {
@@ -195,10 +199,14 @@ private:
             for (unsigned i = 0; i < cluster.triangle_count; ++i)
                 bits[i / kMaskGroup] |= std::uint64_t(is_marked(i)) << i % kMaskGroup;
         };
-        mark(cluster.convex, [&](unsigned i) {
-            const Triangle& t = mesh_.triangles[partition_.order[first + i]];
-            return convex_[t[0]] && convex_[t[1]] && convex_[t[2]];
-        });
+        const auto all_corners = [&](const std::vector<std::uint8_t>& vertices) {
+            return [&](unsigned i) {
+                const Triangle& t = mesh_.triangles[partition_.order[first + i]];
+                return vertices[t[0]] && vertices[t[1]] && vertices[t[2]];
+            };
+        };
+        mark(cluster.convex, all_corners(convex_));
+        mark(cluster.convex_around, all_corners(convex_around_));
         mark(cluster.featureless,
              [&](unsigned i) { return featureless_[partition_.order[first + i]]; });
     }
@@ -218,8 +226,8 @@ private:
     const Field& field_;
     const double squared_scale_;  // h_e of the kernel of derivatives
     ExtractorData& data_;
-    std::vector<std::uint8_t> featureless_;  // by triangle of the mesh
-    std::vector<std::uint8_t> convex_;       // by vertex
+    std::vector<std::uint8_t> featureless_;             // by triangle of the mesh
+    std::vector<std::uint8_t> convex_, convex_around_;  // by vertex
     Partition partition_;
     ClusterLinks links_;
 };

@@ -82,8 +82,10 @@ struct Cluster {
     std::uint32_t first_form_group;   ///< in ClusterStore::laplacians
     std::uint8_t vertex_count, triangle_count;
     std::uint32_t first_vertex;  ///< the first of its vertices, over all clusters
-    /// A bit for each triangle: is_convex() at all corners, see LineRules::leave_out_convex.
+    /// A bit for each triangle: is_convex() at all corners, see LineRules::leave_out_convex; and at
+    /// their neighbours.
     std::uint64_t convex[kClusterTriangles / kMaskGroup];
+    std::uint64_t convex_around[kClusterTriangles / kMaskGroup];
     /// A bit for each triangle: of find_featureless_triangles(), see LineRules::drop_featureless.
     std::uint64_t featureless[kClusterTriangles / kMaskGroup];
 };

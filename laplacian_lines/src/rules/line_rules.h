@@ -19,7 +19,8 @@ struct LineRules {
     bool reject_phantoms = false;
     bool concave_only = false;
     /// Skip triangles with is_convex() at all corners, where concave_only would accept hardly any
-    /// crossing.
+    /// crossing. For whole lines that nothing convex should cut, the corners' neighbours count as
+    /// well.
     bool leave_out_convex = false;
     bool cut_by_convex() const { return !whole || !concave_only || least_concavity > -1; }
     /// Skip triangles without a form of their own, see find_featureless_triangles().

@@ -88,8 +88,7 @@ LineRules laplacian_rules(const LineStyle& s, bool light_at_eye) {
     rules.reject_phantoms = s.reject_phantoms;
     rules.concave_only = s.single_strokes;
     rules.least_concavity = float(s.least_concavity);
-    rules.leave_out_convex =
-        rules.cut_by_convex() && s.single_strokes && s.fading <= kMostFadingOfConvex;
+    rules.leave_out_convex = s.single_strokes && s.fading <= kMostFadingOfConvex;
     rules.segment_slope = thresholds.segment_slope;
     rules.line_slope = thresholds.line_slope;
     rules.full_slope = thresholds.full_slope;

@@ -48,7 +48,9 @@ struct FacingKind {
 
     static inline std::uint64_t unwanted(const LineRules& rules, const Cluster& cluster,
                                          unsigned group) {
-        return (rules.leave_out_convex ? cluster.convex[group] : 0) |
+        const std::uint64_t* convex =
+            rules.cut_by_convex() ? cluster.convex : cluster.convex_around;
+        return (rules.leave_out_convex ? convex[group] : 0) |
                (rules.drop_featureless ? cluster.featureless[group] : 0);
     }
 };
