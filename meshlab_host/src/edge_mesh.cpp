@@ -72,6 +72,7 @@ std::vector<Eigen::Vector3d> normals_of(const TriangleMesh& surface) {
     return normals;
 }
 
+/// The vertices of a surface that have normals, as MeshLab's numbers.
 struct OrientedPoints {
     explicit OrientedPoints(const TriangleMesh& surface) {
         const std::vector<Eigen::Vector3d> all = normals_of(surface);

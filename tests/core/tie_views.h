@@ -9,7 +9,8 @@
 #include "laplacian_lines/line_mixture.h"
 #include "laplacian_lines/view.h"
 
-/// Views with ties.
+/// Views in which edges of boxes fall on each other and faces are seen edge-on, so that rounding
+/// would decide what is seen.
 namespace tie_views {
 
 using laplacian_lines::LineKind;

@@ -8,15 +8,14 @@
 //     bounds of the normals, by which a redraw skips what faces away.
 #include "clusters/cluster_building.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "clusters/cluster_partition.h"
 #include "clusters/coarseness.h"
+#include "clusters/local_vertex.h"
 #include "field/derivative_scale.h"
 #include "mesh/flat_faces.h"
 #include "rules/thresholds.h"
@@ -32,52 +31,6 @@ constexpr double kPartitioned = 0.4, kLinked = 0.6, kLaidOut = 0.65;
 constexpr double kLeastSheetBorders = 2;
 
 constexpr double kLargestSlopeScale = 1e15;
-
-/// Values of a vertex as clusters hold them, local.
-struct LocalVertex {
-    Eigen::Vector3d position, normal;
-    ShapeOperator shape_operator;  ///< S·D
-    float slope_scale;             ///< h_e(p)^1.5
-};
-
-VertexRecord make_record(const LocalVertex& v) {
-    const ShapeOperator& s = v.shape_operator;
-    const Eigen::Vector3f n = v.normal.cast<float>();
-    return {{float(v.position.x()), float(v.position.y()), float(v.position.z())},
-            v.slope_scale,
-            {{s.xx, s.xy, s.xz, n.x()}, {s.xy, s.yy, s.yz, n.y()}, {s.xz, s.yz, s.zz, n.z()}}};
-}
-
-/// A box with the axes of the vectors' covariance: about the smallest one.
-struct VectorBox {
-    Eigen::Vector3d centre;
-    Eigen::Matrix3d half_axes;  ///< columns
-};
-VectorBox enclose_normals(const std::vector<LocalVertex>& values) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-    for (const LocalVertex& v : values) {
-        sum += v.normal;
-        squares += v.normal * v.normal.transpose();
-    }
-    const double n = double(values.size());
-    const Eigen::Matrix3d covariance = squares / n - sum * sum.transpose() / (n * n);
-    const Eigen::Matrix3d axes =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors();
-    Eigen::Vector3d low = axes.transpose() * values[0].normal, high = low;
-    for (const LocalVertex& v : values) {
-        low = low.cwiseMin(axes.transpose() * v.normal);
-        high = high.cwiseMax(axes.transpose() * v.normal);
-    }
-    return {axes * (low + high) / 2, axes * ((high - low) / 2).asDiagonal()};
-}
-
-Eigen::Vector3d centre_of(const std::vector<LocalVertex>& values) {
-    Eigen::AlignedBox3d box;
-    for (const LocalVertex& v : values)
-        box.extend(v.position);
-    return box.center();
-}
 
 class ClusterBuilder {
 public:
@@ -180,7 +133,7 @@ private:
         write_triangles(c, memory);
         mark_triangles(c);
         write_vertices(c, values, memory);
-        write_bounds(c, values);
+        write_facing_bounds(values, data_.bounds[c / kFormGroup], c % kFormGroup);
     }
 
     /// S·D of a vertex of the original mesh.
@@ -267,27 +220,6 @@ private:
         write_forms(reinterpret_cast<FormGroup*>(memory), cluster, [&](unsigned i) {
             return FormVector{values[i].normal, values[i].position};
         });
-    }
-
-    void write_bounds(std::size_t c, const Values& values) {
-        const Eigen::Vector3d centre = centre_of(values);
-        const VectorBox normals = enclose_normals(values);
-        double low = std::numeric_limits<double>::max(), high = -low;
-        for (const LocalVertex& v : values) {
-            const double height = v.normal.dot(v.position - centre);
-            low = std::min(low, height);
-            high = std::max(high, height);
-        }
-        FacingBounds& bounds = data_.bounds[c / kFormGroup];
-        const std::size_t place = c % kFormGroup;
-        for (int k = 0; k < 3; ++k) {
-            bounds.centre[k][place] = float(centre[k]);
-            bounds.normal[k][place] = float(normals.centre[k]);
-            for (int axis = 0; axis < 3; ++axis)
-                bounds.axes[axis][k][place] = float(normals.half_axes(k, axis));
-        }
-        bounds.height[place] = float((low + high) / 2);
-        bounds.height_range[place] = float((high - low) / 2);
     }
 
     const PreparedMesh& mesh_;
