@@ -47,7 +47,7 @@ void store(MeshDocument& document, int mesh_id, const meshlab_host::GeometryStam
     MeshModel* mesh = document.getMesh(mesh_id);
     if (!mesh || meshlab_host::geometry_stamp(mesh->cm) != stamp)
         throw Error(ErrorCode::FieldMismatch,
-                    "The mesh changed while its lines were being computed. Run the filter again.");
+                    "The mesh changed while its field was being computed. Run the filter again.");
     meshlab_host::write_field(mesh->cm, field, options, stamp);
 }
 
@@ -89,7 +89,7 @@ QString undone_line(const MeshReport& report) {
     return times ? QString(
                        "Subdivision undone: field and lines are those of the %1 triangles "
                        "before each was cut in %2")
-                       .arg(report.triangles >> 2 * times)
+                       .arg((report.triangles - report.degenerate_triangles) >> 2 * times)
                        .arg(1 << 2 * times)
                  : QString();
 }
@@ -112,10 +112,10 @@ QString smoothing_line(const Field& field, const PrecomputeOptions& options) {
                       : QString(" as they are"));
 }
 
-/// "Laplace Operator: Heat Kernel (Belkin), Normal Smoothing: Gaussian, ..."
+/// "Kernel: Uniform, Normal Smoothing: Gaussian, ..."
 QString choices_line(const PrecomputeOptions& options) {
     QStringList parts;
-    for (const auto& row : laplacian_lines::precompute_option_table())
+    for (const auto& row : option_table())
         if (row.kind == laplacian_lines::OptionKind::Choice)
             parts << QString("%1: %2").arg(row.label, row.choices[std::size_t(row.get(options))]);
     return parts.join(", ");

@@ -39,11 +39,11 @@ LineBuffers::LineBuffers() {
 StreamPoint* LineBuffers::map(std::size_t points) {
     const bool has_ranges = gl_features().buffer_ranges;
     glBindBuffer(GL_ARRAY_BUFFER, stream_);
-    if (points > capacity_ || !has_ranges) {
+    if (points > capacity_ || !has_ranges) {  // without ranges this discards what it holds
         capacity_ = std::max(capacity_, points + points / 4);
         glBufferData(GL_ARRAY_BUFFER, bytes(capacity_), nullptr, GL_STREAM_DRAW);
     }
-    // Invalidated, so the driver need not wait for the last frame.
+    // Discarded either way, so the driver need not wait for the last frame.
     void* memory = has_ranges ? glMapBufferRange(GL_ARRAY_BUFFER, 0, bytes(points),
                                                  GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT)
                               : glMapBuffer(GL_ARRAY_BUFFER, GL_WRITE_ONLY);
@@ -68,7 +68,9 @@ void LineBuffers::bind(std::size_t first) const {
         point_attribute(attribute, 4, sizeof(StreamPoint), offset, 1);
         offset += sizeof(StreamPoint);
     }
-    const std::size_t look = begin + offsetof(StreamPoint, opacity);
+    constexpr std::size_t kLook = offsetof(StreamPoint, opacity);
+    static_assert(kLook == 4 * sizeof(float) && sizeof(StreamPoint) >= kLook + 3 * sizeof(float));
+    const std::size_t look = begin + kLook;
     point_attribute(StartLook, 3, sizeof(StreamPoint), sizeof(StreamPoint) + look, 1);
     point_attribute(EndLook, 3, sizeof(StreamPoint), 2 * sizeof(StreamPoint) + look, 1);
 }

@@ -32,29 +32,30 @@ struct FieldColumn {
     float* (*write)(Field&);
 };
 
-/// The functions of a row, for a vector of Field or of a struct derived from it.
+/// Whether an entry is floats without gaps.
+template <class>
+inline constexpr bool kIsFloats = false;
+template <>
+inline constexpr bool kIsFloats<float> = true;
+template <>
+inline constexpr bool kIsFloats<ShapeOperator> = true;
+template <int Count>
+inline constexpr bool kIsFloats<Eigen::Matrix<float, Count, 1>> = true;
+
+/// The functions of a row, for a vector of Field.
 template <auto Member>
 struct ColumnFunctions;
-template <class Owner, class Entry, std::vector<Entry> Owner::*Member>
+template <class Entry, std::vector<Entry> Field::*Member>
 struct ColumnFunctions<Member> {
-    static_assert(sizeof(Entry) % sizeof(float) == 0, "entries are floats without gaps");
+    static_assert(kIsFloats<Entry>);
     static constexpr int floats = int(sizeof(Entry) / sizeof(float));
 
-    static std::size_t size(const Field& field) { return entries(field).size(); }
-    static void resize(Field& field, std::size_t count) {
-        (static_cast<Owner&>(field).*Member).resize(count);
-    }
+    static std::size_t size(const Field& field) { return (field.*Member).size(); }
+    static void resize(Field& field, std::size_t count) { (field.*Member).resize(count); }
     static const float* read(const Field& field) {
-        return reinterpret_cast<const float*>(entries(field).data());
+        return reinterpret_cast<const float*>((field.*Member).data());
     }
-    static float* write(Field& field) {
-        return reinterpret_cast<float*>((static_cast<Owner&>(field).*Member).data());
-    }
-
-private:
-    static const std::vector<Entry>& entries(const Field& field) {
-        return static_cast<const Owner&>(field).*Member;
-    }
+    static float* write(Field& field) { return reinterpret_cast<float*>((field.*Member).data()); }
 };
 
 enum class ColumnPresence { Always, Optional };
@@ -76,7 +77,8 @@ constexpr FieldColumn field_column(const char* key, const char* help, const char
             Functions::write};
 }
 
-/// One row per column; attributes, their documentation and all checks of sizes come from it.
+/// One row per column; attributes, their documentation and all checks of sizes come from it. New
+/// rows come last: files name columns by their number.
 inline constexpr std::array kFieldColumns = {
     field_column<&Field::normals>("normals", "unit normal n, smoothed, outward", "",
                                   {{{"ll_normal", 3}}}),
@@ -104,20 +106,16 @@ inline bool is_present(const FieldColumn& column, const Field& field) {
     return !column.optional || column.size(field) > 0;
 }
 
-/// The rows of a table, by default of all columns, that the field has.
-template <class Columns = decltype(kFieldColumns)>
-std::vector<FieldColumn> present_columns(const Field& field,
-                                         const Columns& columns = kFieldColumns) {
+inline std::vector<FieldColumn> present_columns(const Field& field) {
     std::vector<FieldColumn> present;
-    for (const FieldColumn& column : columns)
+    for (const FieldColumn& column : kFieldColumns)
         if (is_present(column, field)) present.push_back(column);
     return present;
 }
 
 /// Whether every column that is present or required has this many entries.
-template <class Columns = decltype(kFieldColumns)>
-bool has_entries(const Field& field, std::size_t vertices, const Columns& columns = kFieldColumns) {
-    for (const FieldColumn& column : columns)
+inline bool has_entries(const Field& field, std::size_t vertices) {
+    for (const FieldColumn& column : kFieldColumns)
         if (is_present(column, field) && column.size(field) != vertices) return false;
     return true;
 }

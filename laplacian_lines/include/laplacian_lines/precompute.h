@@ -8,11 +8,11 @@
 
 namespace laplacian_lines {
 
-/// Computes the view-independent field of a mesh: normals, Δn, shape operators. Sources: L. Zhang,
-/// Y. He, X. Xie, W. Chen, "Laplacian Lines for Real-Time Shape Illustration"; for the Laplacian
-/// M. Belkin, J. Sun, Y. Wang, "Discrete Laplace Operator on Meshed Surfaces" (SoCG 2008). It is
-/// negative semi-definite: Δf < 0 at a maximum of f. Thread-safe; any number of threads gives the
-/// same. @throws Error: InvalidOption, InvalidMesh, EmptyMesh, TooCostly, Cancelled.
+/// Computes the view-independent field of a mesh: normals, Δn, shape operators, kernel sizes. Sign:
+/// Δf < 0 at a maximum of f. Sources: L. Zhang, Y. He, X. Xie, W. Chen, "Laplacian Lines for
+/// Real-Time Shape Illustration" (I3D 2009); for the Laplacian M. Belkin, J. Sun, Y. Wang,
+/// "Discrete Laplace Operator on Meshed Surfaces" (SoCG 2008). Thread-safe; any number of threads
+/// gives the same. @throws Error: InvalidOption, InvalidMesh, EmptyMesh, TooCostly, Cancelled.
 Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options = {},
                  const Progress& progress = {});
 
@@ -23,7 +23,7 @@ void add_curvature_derivatives(const TriangleMesh& mesh, Field& field,
 
 /// Diagonal and mean edge of the usable part of a mesh, and the kernel size and smoothing that
 /// precompute() would use; 0 for a smoothing that depends on the roughness, which is not measured
-/// here. @throws Error like precompute().
+/// here. @throws Error: InvalidOption, InvalidMesh, EmptyMesh.
 FieldScale measure_scale(const TriangleMesh& mesh, const PrecomputeOptions& options = {});
 
 }  // namespace laplacian_lines

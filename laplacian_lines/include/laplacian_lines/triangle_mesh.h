@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -41,13 +42,14 @@ struct MeshReport {
     /// Triangles whose orientation was reversed, so that neighbours agree and closed bodies face
     /// outwards: normals are those of the mesh that results.
     std::size_t flipped_triangles = 0;
-    // For faults_of(): of the usable surface, its cuts closed.
-    double border_share = 0;   ///< edges of one triangle over all edges, if it is in pieces
-    double opposed_share = 0;  ///< edges whose two triangles disagree about the outside, likewise
-    /// The step of which all coordinates are multiples, input units, if it is at least a tenth of
-    /// the mean edge. Else, and for few triangles, large flat faces or cells of a grid, 0.
+    // For faults_of(): shares of all edges of the usable surface, welded and turned.
+    double border_share = 0;   ///< of one triangle; 0 if all triangles are connected
+    double opposed_share = 0;  ///< whose two triangles still disagree about the outside
+    /// The step of the grid, wherever its origin, on which all vertices lie, input units, if it is
+    /// at least a tenth of the mean edge. Else, and for few triangles, large flat faces or cells of
+    /// a grid, 0.
     double coordinate_step = 0;
-    double kernel_bend = 0;  ///< median of curvature · kernel size; 0 for the smallest kernels
+    double kernel_bend = 0;  ///< median of curvature · √h; 0 for √h of less than 2.5 mean edges
 };
 
 }  // namespace laplacian_lines

@@ -12,7 +12,7 @@ constexpr double kSmallestRatio = 0.25, kLargestRatio = 4;
 // In D. Beyond these, nothing changes: no vertex is within the kernel, or all are.
 constexpr double kSmallestKernel = 1e-7, kLargestKernel = 1e4;
 constexpr double kLargestDrawnKernel = 0.04;  // D
-constexpr double kLeastShare = 0.0045;  // D: finer meshes do not get ever finer lines
+constexpr double kLeastShare = 0.0045;        // D: finer meshes do not get ever finer lines
 
 }  // namespace
 

@@ -20,10 +20,9 @@ using Form = RidgeCandidates::Form;
 //     turns within the distance d on one side of the line.
 //  2. Average T over the sections within .75 % of D.
 //  3. An edge does not turn beyond 2 % of D, a bump does: A = 2 T(2 %) - T(4 %) on either side.
-//  4. The clear part of the turn is A1 + A2 - 1.5 |A1 - A2|. From .3 of the turn on, all of it is
-//  the
-//     angle, below in proportion. Edges of details are measured likewise within 1 and 2 % of D;
-//     their angle counts a quarter.
+//  4. The clear part of the turn is A1 + A2 - 1.5 |A1 - A2|. From .3 of the turn on, all of it
+//     is the angle, below in proportion. Edges of details are measured likewise within 1 and 2 %
+//     of D; their angle counts a quarter.
 
 /// A width within which an edge turns, to each side, and which share of the turn counts.
 struct Scale {

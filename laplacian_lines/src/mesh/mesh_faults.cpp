@@ -7,11 +7,13 @@
 namespace laplacian_lines {
 namespace {
 
-/// Shares of the edges; open surfaces of a few hundred triangles have 5 % borders.
+// Limits were chosen on made faults, not fitted.
+
+/// Shares of the edges; scans in pieces of a few hundred triangles have 5 % borders.
 constexpr double kMostBorders = 0.2, kMostOpposed = 0.02;
 /// Shares of the triangles that were turned: less is a few specks of a scan, more is nearly all.
 constexpr double kLeastFlipped = 1e-3, kMostFlipped = 0.9;
-/// Angle, in radians, by which most of the surface turns within the kernel.
+/// Angle, in radians, by which half of the surface turns within the kernel.
 constexpr double kMostBend = 0.7;
 
 std::string percent(double share) {
@@ -24,7 +26,7 @@ std::vector<MeshFault> faults_of(const MeshReport& report) {
     std::vector<MeshFault> faults;
     if (report.border_share > kMostBorders) faults.push_back(MeshFault::Torn);
     if (report.opposed_share > kMostOpposed) faults.push_back(MeshFault::Disagreeing);
-    if (!faults.empty()) return faults;  // the others follow from these
+    if (!faults.empty()) return faults;  // to be repaired first: others are judged on a surface
     const double turned = double(report.flipped_triangles) / double(report.triangles);
     if (turned > kMostFlipped)
         faults.push_back(MeshFault::InsideOut);
@@ -55,7 +57,7 @@ std::string describe(MeshFault fault, const MeshReport& report) {
                    "way round; MeshLab's filter Re-Orient All Faces Coherently mends the mesh.";
         case MeshFault::Quantized: {
             std::ostringstream message;
-            message << "Coordinates are multiples of " << report.coordinate_step
+            message << "Coordinates are rounded to steps of " << report.coordinate_step
                     << ", a tenth of the triangles' edges or more, so smooth parts are drawn as "
                        "steps: export the mesh with more digits.";
             return message.str();
