@@ -56,7 +56,7 @@ PrintedViews::PrintedViews() {
     // The thread must end before the program tears down what it uses.
     if (QCoreApplication* program = QCoreApplication::instance())
         QObject::connect(program, &QCoreApplication::aboutToQuit, &rest_, [this] {
-            is_stopped_ = true;
+            is_quitting_ = true;
             stop();
         });
 }
@@ -133,7 +133,7 @@ void PrintedViews::run(Running& running) noexcept {
 }
 
 void PrintedViews::start_next() {
-    if (is_stopped_ || running_) return;
+    if (is_quitting_ || running_) return;
     for (const auto& [view, entry] : entries_) {
         if (!entry.is_due()) continue;
         try {

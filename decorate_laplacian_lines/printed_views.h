@@ -15,10 +15,12 @@
 /// All that the picture of a view depends on.
 struct PrintedView {
     std::shared_ptr<PrintedScene> scene;
-    Eigen::Matrix4d to_eye, projection;  ///< of the scene's coordinates
-    line_drawing::WindowView window;     ///< of these; its pen for inner lines is Line Width
+    Eigen::Matrix4d to_eye, projection;  ///< the first from the scene's coordinates
+    /// window_of() of both, with pixels_per_mm that make the pen of inner lines Line Width.
+    line_drawing::WindowView window;
     DecorationParameters chosen;
 
+    /// Whether pictures are the same but for colors, with projections up to rounding.
     bool operator==(const PrintedView& other) const;
 };
 
@@ -34,7 +36,7 @@ struct Print {
 /// other views need as well. GUI thread only.
 class PrintedViews {
 public:
-    using View = const void*;  ///< a name, never followed
+    using View = const void*;  ///< a key, never dereferenced
 
     PrintedViews();
     ~PrintedViews();  ///< cancels, and waits for the thread
@@ -64,9 +66,11 @@ private:
     struct Running {
         View view;
         PrintedView what;
-        bool may_wait = false;  ///< for a field
-        std::atomic<bool> is_given_up{false}, is_stopped{false}, is_over{false};
-        Print print;  ///< without a reason if it was cancelled
+        bool may_wait = false;                 ///< for a field
+        std::atomic<bool> is_given_up{false};  ///< the view changed: cancels its picture
+        std::atomic<bool> is_stopped{false};   ///< cancels what other views need as well
+        std::atomic<bool> is_over{false};      ///< the thread is about to end
+        Print print;                           ///< without a reason if it was cancelled
     };
 
     static void run(Running& running) noexcept;
@@ -78,6 +82,6 @@ private:
     std::map<View, Entry> entries_;
     std::unique_ptr<Running> running_;
     std::thread thread_;
-    bool is_stopped_ = false;
-    QTimer rest_;
+    bool is_quitting_ = false;  ///< nothing is started any more
+    QTimer rest_;               ///< runs out when views are at rest
 };

@@ -18,6 +18,8 @@ using meshlab_host::FilterRun;
 
 namespace {
 
+constexpr double kFieldShare = 0.9;  // of the time, about; derivatives take the rest
+
 WorldLayer copy_layer(const MeshModel& layer, const FilterRun& run, const Progress& progress) {
     const Eigen::Matrix4d transform = meshlab_host::layer_transform(layer.cm);
     const meshlab_host::FieldSource source = meshlab_host::field_source(layer.cm);
@@ -27,8 +29,8 @@ WorldLayer copy_layer(const MeshModel& layer, const FilterRun& run, const Progre
                                                            source, run.say, progress);
         if (!meshlab_host::similarity_of(transform))
             run.say(
-                QString("%1 is stretched by its transformation: its lines are computed anew for "
-                        "the stretched shape.")
+                QString("%1 is stretched or mirrored by its transformation: its lines are computed "
+                        "anew for the shape that results.")
                     .arg(result.name));
     }
     meshlab_host::apply_transform(transform, source.options, result.mesh, result.field, progress);
@@ -66,16 +68,15 @@ void copy_visible_layers(const FilterRun& run, double share, WorldLayers& placed
 }  // namespace
 
 WorldLayers copy_layers(const LayerChoice& choice, const FilterRun& run, double share) {
-    constexpr double field_part = 0.9;
+    const double fields = choice.derivatives ? kFieldShare * share : share;
     WorldLayers placed;
     if (choice.all_visible)
-        copy_visible_layers(run, field_part * share, placed);
+        copy_visible_layers(run, fields, placed);
     else
-        placed.push_back(
-            copy_layer(*run.document.mm(), run,
-                       meshlab_host::progress_to(run.progress, 0, field_part * share)));
+        placed.push_back(copy_layer(*run.document.mm(), run,
+                                    meshlab_host::progress_to(run.progress, 0, fields)));
     if (!choice.derivatives) return placed;
-    double begin = field_part * share;
+    double begin = fields;
     const double step = (share - begin) / double(placed.size());
     for (WorldLayer& layer : placed) {
         if (layer.field)

@@ -26,7 +26,7 @@ def say(text):
 def skip(reason):
     """Ends a test, as a failure where LAPLACIAN_LINES_REQUIRED is set."""
     say(f"skipped: {reason}")
-    sys.exit(1 if os.environ.get("LAPLACIAN_LINES_REQUIRED") else 77)
+    sys.exit(1 if os.environ.get("LAPLACIAN_LINES_REQUIRED") else 77)  # CTest's SKIP_RETURN_CODE
 
 
 def exit_code(returncode):
@@ -49,7 +49,7 @@ def run_main(main):
 
 @contextlib.contextmanager
 def started(command, **options):
-    """A process that ends with the block, with all that it has started."""
+    """A process that is ended with the block if it still runs, and then with all that it has started."""
     process = subprocess.Popen(command, start_new_session=True, **options)
     try:
         yield process

@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every ErrorCode has a sentence for the user and changes nothing.
+// Wrong options, indices and fields are refused with a sentence that names what is wrong.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <map>
-#include <set>
 #include <string>
+#include <vector>
 
 #include "helpers.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/option_table.h"
 #include "laplacian_lines/precompute.h"
-#include "with_threads.h"
 
 namespace {
 
@@ -84,7 +80,7 @@ TEST(InvalidOption, NamesEachStyleOption) {
         }
 }
 
-TEST(InvalidOption, ViewsWithoutAFiniteEye) {
+TEST(InvalidOption, ViewsWhoseEyeOrLightIsZeroOrNotFinite) {
     const LineExtractor extractor(small_mesh(), precompute(small_mesh()));
     for (const View& view :
          {View::orthographic(Eigen::Vector3d::Zero()), View::perspective({0, kNaN, 0}),

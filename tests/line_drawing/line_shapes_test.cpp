@@ -163,6 +163,21 @@ TEST(CurveFitting, ReachesTheEndsOfFlatLoops) {
     }
 }
 
+TEST(CurveFitting, OfARingDoesNotDependOnWhereItBegins) {
+    Points square;  // in steps of a tolerance and a half
+    for (const Vector2d& way : {Vector2d(1, 0), Vector2d(0, 1), Vector2d(-1, 0), Vector2d(0, -1)})
+        for (int i = 0; i < 40; ++i)
+            square.push_back((square.empty() ? Vector2d(0, 0) : square.back()) +
+                             1.5 * kTolerance * way);
+    for (std::size_t begin = 0; begin < square.size(); ++begin) {
+        Points points(square.begin() + std::ptrdiff_t(begin), square.end());
+        points.insert(points.end(), square.begin(), square.begin() + std::ptrdiff_t(begin) + 1);
+        Path path;
+        fit_curve(points, true, kTolerance, path);
+        EXPECT_EQ(path.pieces.size(), 5u) << begin;  // the corners, and the first again
+    }
+}
+
 /// Between points, too: long handles could leap there.
 TEST(CurveFitting, StaysNearLinesOfAnyShape) {
     std::mt19937 random(7);

@@ -158,7 +158,7 @@ TEST(PrintedSize, DecidesAboutTheKernel) {
     EXPECT_NEAR(kernel_of(draw(mesh, options_at(2))), 2 * edge, 0.05 * 2 * edge);
 }
 
-TEST(PrintedSize, AndDetailDecideAboutTheKernel) {
+TEST(PrintedSize, DetailChangesTheKernel) {
     const auto mesh = bumpy_sphere();
     const auto kernel_at = [&](double scale, double detail, const char* kernel = "auto") {
         SheetOptions options = options_at(scale);

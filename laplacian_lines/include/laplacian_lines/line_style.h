@@ -10,8 +10,9 @@ namespace laplacian_lines {
 /// s = 1/|e − c|, c the centre of the box, for perspective views and unit l for orthographic ones.
 /// Names, limits and help texts: option_table.h.
 struct LineStyle {
-    /// 0..100, moves all thresholds on gradient, strength, slope and length: 50 leaves them alone,
-    /// 0 keeps hardly a line, 100 nearly all. The number of lines grows about evenly with it.
+    /// 0..100, moves the thresholds of all lines but contours and creases together: 50 leaves them
+    /// alone, 0 keeps hardly a line, 100 nearly all. The number of lines grows about evenly with
+    /// it. By which powers: src/rules/thresholds.cpp.
     double detail = 50;
     /// t, the least ‖∇I‖·D at a crossing (the paper's threshold on the gradient).
     double gradient_threshold = 0.8;
@@ -52,9 +53,9 @@ struct LineStyle {
     /// Draw contours along mesh edges, between triangles that face the eye and those that do not,
     /// on meshes of triangles so large or so steep that zeros of n·l would miss the horizon.
     bool exact_outlines = true;
-    double shortest_contour = 0.005;  ///< least length of a contour or border, in D
+    double shortest_contour = 0.005;  ///< least length of a contour, in D; if visible, of a border
     /// Least angle, degrees, by which the surface turns across a ridge or valley within 2 % of D to
-    /// both sides, or a quarter of it within 1 %; turning as fast beyond, or on one side only,
+    /// both sides, or four times that within 1 %; turning as fast beyond, or on one side only,
     /// counts against it. Weaker parts go on down to half.
     double ridge_angle = 10;
     /// Least angle between the normals of two triangles, degrees, whose edge is a crease whatever

@@ -16,6 +16,8 @@ using Cubic = std::array<Vector2d, 4>;
 constexpr double kCosineOfCorner = 0.9063;  // 25°
 constexpr double kCornerReach = 10;         // tolerances
 constexpr int kMostImprovements = 4;
+// In tolerances: Newton steps do not mend larger errors; curves flatter than the second are lines.
+constexpr double kWorstMended = 4, kStraight = 0.05;
 constexpr std::size_t kLongestRun = 256;  // points of a curve: bounds the work on a bad fit
 
 Vector2d point_of(const Cubic& c, double t) {
@@ -30,6 +32,8 @@ Vector2d second_derivative(const Cubic& c, double t) {
     return 6 * ((1 - t) * (c[2] - 2 * c[1] + c[0]) + t * (c[3] - 2 * c[2] + c[1]));
 }
 
+/// Fits curves to the points between two corners and appends them to a path.
+/// P. Schneider, "An Algorithm for Automatically Fitting Digitized Curves", Graphics Gems, 1990.
 class RunFitter {
 public:
     RunFitter(const Points& points, double tolerance, Path& path)
@@ -52,7 +56,7 @@ public:
             const Cubic cubic = solve(first, parameters, length, begin, end);
             const double error = largest_error(cubic, first, parameters, worst);
             if (error <= squared_tolerance_) return add(cubic);
-            if (error > 16 * squared_tolerance_) break;
+            if (error > kWorstMended * kWorstMended * squared_tolerance_) break;
             improve(cubic, first, parameters);
         }
         split(first, std::clamp(worst, first + 1, last - 1), last, begin, end);
@@ -76,7 +80,7 @@ private:
             const Vector2d off = points_[i] - points_[first];
             const double along = way.dot(off), across = way.x() * off.y() - way.y() * off.x();
             const double beyond = std::max({-along, along - whole.norm(), std::abs(across)});
-            if (beyond * beyond > squared_tolerance_ / 400) return false;
+            if (beyond * beyond > kStraight * kStraight * squared_tolerance_) return false;
         }
         return true;
     }
@@ -122,13 +126,14 @@ private:
             x1 += a1.dot(rest);
         }
         const double determinant = c00 * c11 - c01 * c01;
-        // Longer handles let the curve leap between the points.
         const double chord = (p3 - p0).norm(), least = 1e-6 * chord;
         double length0 = 0, length1 = 0;
         if (std::abs(determinant) > 1e-12 * c00 * c11) {
             length0 = (x0 * c11 - x1 * c01) / determinant;
             length1 = (c00 * x1 - c01 * x0) / determinant;
         }
+        // Both forwards, and together no longer than the line: longer handles let the curve leap
+        // between the points.
         if (!(length0 > least) || !(length1 > least) || length0 + length1 > length)
             length0 = length1 = chord / 3;
         return {p0, p0 + length0 * begin, p3 + length1 * end, p3};
@@ -164,8 +169,8 @@ private:
     Path& path_;
 };
 
-/// From points[i] to the point `reach` away along the line, or to its end, around closed lines.
-/// Zero if that is nearer than half of it.
+/// Unit, from points[i] to the next point at a distance of at least `reach`, or to the end of the
+/// line; around closed lines. Zero if that is nearer than half of it.
 Vector2d direction_to(const Points& points, bool closed, std::size_t i, int step, double reach) {
     const auto n =
         std::ptrdiff_t(points.size()) - 1;  // the last point of a closed line is the first
@@ -198,6 +203,13 @@ std::vector<std::size_t> find_corners(const Points& points, bool closed, double 
         } else {
             corners.push_back(i);
         }
+    }
+    if (closed && corners.size() > 1 &&  // likewise around the beginning
+        (points[corners.front()] - points[corners.back()]).norm() < reach) {
+        if (turns[corners.back()] < turns[corners.front()])
+            corners.erase(corners.begin());
+        else
+            corners.pop_back();
     }
     return corners;
 }

@@ -27,7 +27,7 @@ KINDS = tuple(Kind(**row) for row in _core.kinds)
 Vector = NDArray[numpy.float64]
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True, eq=False)
 class Page:
     """The plane of a picture, and the projection to it."""
 
@@ -64,7 +64,7 @@ class Polyline(NamedTuple):
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Polylines:
-    """Lines of a view: a sequence of Polyline, kept as arrays over all of their points and over all lines.
+    """Lines of a view: a sequence of Polyline without slices, kept as arrays over all of their points and over all lines.
 
     Points of line i are those from offsets[i] to offsets[i + 1].
     """
@@ -81,7 +81,7 @@ class Polylines:
     strengths: NDArray[numpy.float32]  #: (l,), of Laplacian lines and contours: the paper's Eq. 4, no unit
     closed: NDArray[numpy.bool_]  #: (l,)
     hidden: NDArray[numpy.bool_]  #: (l,), behind the surface; lines() does not ask, and says False
-    outline: NDArray[numpy.bool_]  #: (l,), contours and borders before nothing; of visible_lines() alone
+    outline: NDArray[numpy.bool_]  #: (l,), contours and borders with nothing behind them; of visible_lines() alone
     plane: Page
 
     @classmethod

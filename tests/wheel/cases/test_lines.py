@@ -35,6 +35,7 @@ class Lines(unittest.TestCase):
         seen = ll.visible_lines(torus(), eye=(0, 0, 10), kinds="contours")
         numpy.testing.assert_allclose(seen.page, seen.points[:, :2] / (10 - seen.points[:, 2:]), atol=1e-12)
         self.assertTrue(numpy.isfinite(ll.lines(torus(), direction=(0, 1, 0)).page).all())  # along the usual up
+        self.assertNotEqual(lines.plane, seen.plane)
 
     def test_hidden_parts(self):
         side = dict(direction=(0, 1, 0.2), kinds="contours")
