@@ -66,6 +66,19 @@ TEST(InvalidOption, NamesEachPrecomputeOption) {
         }
 }
 
+TEST(InvalidOption, NamesThoseForDrawings) {
+    for (const double value : {-1., kNaN, kInfinity}) {
+        PrecomputeOptions options;
+        options.drawn_kernel_size = value;
+        const std::string message =
+            expect_error(ErrorCode::InvalidOption, [&] { precompute(small_mesh(), options); });
+        EXPECT_NE(message.find("drawn_kernel_size"), std::string::npos) << message;
+        options.drawn_kernel_size = 1;
+        options.least_drawn_edges = value;
+        expect_error(ErrorCode::InvalidOption, [&] { measure_scale(small_mesh(), options); });
+    }
+}
+
 TEST(InvalidOption, NamesEachStyleOption) {
     const LineExtractor extractor(small_mesh(), precompute(small_mesh()));
     for (const auto& row : line_style_table())

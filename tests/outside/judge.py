@@ -97,8 +97,9 @@ def judge_window(window, meshes):
         run([window, "--picture", sheet := new_file("png"), "--size", "600x450", "--view", "30,35", *order])
         dark = cv2.imread(str(sheet), cv2.IMREAD_GRAYSCALE) < 128
         inks.append([half.sum() for half in np.array_split(dark, 2, axis=1)])
-    figure = max(abs(a / b - 1) for a, b in zip(inks[0], inks[1][::-1]))
-    yield f"{100 * figure:.2f} % more ink or less in another order", figure < 0.02, None
+    inks = np.array([inks[0], inks[1][::-1]])
+    figure = np.ptp(inks, axis=0).max() / max(inks.min(), 1)
+    yield f"{100 * figure:.2f} % more ink or less in another order", inks.min() > 0 and figure < 0.02, None
 
 
 # Cases: a name, the judge, and what it judges.
@@ -175,8 +176,8 @@ def judged(name, judge, words, pictures):
             rows.append((name, figure, is_right))
             if pictures and picture and picture[1].any():
                 save(pictures / f"{name} {number}.png", *picture)
-    except (RuntimeError, AttributeError, subprocess.SubprocessError) as reason:
-        rows.append((name, str(reason), False))
+    except Exception as reason:  # whatever a wrong drawing leads to; the other cases go on
+        rows.append((name, f"{type(reason).__name__}: {reason}", False))
     return rows
 
 
@@ -196,6 +197,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder, multiprocessing.pool.ThreadPool(os.cpu_count()) as pool:
         Drawing.program, Drawing.folder = options.program, pathlib.Path(folder)
         chosen = [case for case in cases(options.run) if re.search(options.only, case[0])]
+        if not chosen:
+            sys.exit(f"no case has a name like {options.only}")
         rows = sum(pool.map(lambda case: judged(*case, options.pictures), chosen, chunksize=1), [])
     for name, figure, right in rows:
         print(f"{name:46} {figure:62} {'' if right else 'WRONG'}".rstrip())

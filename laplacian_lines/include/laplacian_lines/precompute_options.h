@@ -31,16 +31,17 @@ enum class GradientEstimator {
 constexpr double kLeastKernelEdges = 1;
 
 /// Options of the view-independent field; the defaults need no tuning per model. ē is the mean edge
-/// length of the mesh, D the diagonal of its bounding box. Names, limits and help: option_table.h.
+/// length of the mesh, D the diagonal of its bounding box. Names, limits and help, but of the two
+/// for drawings, which programs set: option_table.h.
 struct PrecomputeOptions {
     /// √h, mesh units; the Gaussian of Eq. 2 has the standard deviation √2·√h. 0: automatic,
     /// max(ē, 0.45 % of D).
     double kernel_size = 0;
-    /// If > 0, the √h for a drawing at a given size, mesh units, instead of kernel_size: from
+    /// For drawings at a given size: if > 0, √h in mesh units instead of kernel_size, from
     /// least_drawn_edges · ē to 4 % of D, or the former where that is more. An automatic
     /// normal_sigma is then at least a quarter of it.
     double drawn_kernel_size = 0;
-    double least_drawn_edges = kLeastKernelEdges;
+    double least_drawn_edges = kLeastKernelEdges;  ///< > 0, with drawn_kernel_size alone
     /// Adaptive: √h(p) = √h · clamp(ē(p)/ē, 1/4, 4), with ē(p) the mean length of the edges at p,
     /// averaged over one-rings ten times. Normal smoothing scales by the same factor.
     KernelMode kernel_mode = KernelMode::Uniform;

@@ -2,6 +2,7 @@
 // Checks of options against their tables, and what a refusal says.
 #include "laplacian_lines/option_table.h"
 
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -63,6 +64,10 @@ void refuse_value(const std::string& what, const std::string& value, const std::
 
 void validate(const PrecomputeOptions& options) {
     check_ranges(precompute_option_table(), options);
+    if (!(options.drawn_kernel_size >= 0 && std::isfinite(options.drawn_kernel_size)))
+        refuse_value("drawn_kernel_size", in_words(options.drawn_kernel_size), "at least 0");
+    if (!(options.least_drawn_edges > 0 && std::isfinite(options.least_drawn_edges)))
+        refuse_value("least_drawn_edges", in_words(options.least_drawn_edges), "more than 0");
 }
 
 void validate(const LineStyle& style) {
