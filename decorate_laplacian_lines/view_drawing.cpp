@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "view_drawing.h"
 
+#include <optional>
+
 #include "printed_scene.h"
 
 using line_renderer::DepthTexture;
@@ -9,6 +11,17 @@ using line_renderer::RedrawClock;
 using line_renderer::SurfaceDepth;
 using line_renderer::SurfaceLayer;
 using line_renderer::SurfaceStyle;
+
+namespace {
+
+/// Of what paints surfaces.
+std::optional<SurfaceStyle> style_of(SurfaceLook look) {
+    if (look == SurfaceLook::Paper) return SurfaceStyle::Paper;
+    if (look == SurfaceLook::Toon) return SurfaceStyle::Toon;
+    return std::nullopt;
+}
+
+}  // namespace
 
 void ViewDrawing::draw(const LayerInView& layer, const laplacian_lines::LineSet& lines,
                        const DecorationParameters& chosen, RedrawClock& clock) {
@@ -42,8 +55,8 @@ DepthTexture ViewDrawing::prepare(const LayerInView& layer, bool has_lines,
         depth_.forget_depth_buffer();
         if (chosen.surface != SurfaceLook::AsMeshLabDrawsIt) surfaces_.paint_background();
     }
-    const bool is_expected =
-        layers_.reach(layer.view, layer.widget, layer.mesh, layer.surface, layer.is_first);
+    const bool is_expected = layers_.reach(layer.view, layer.widget, layer.mesh, layer.surface,
+                                           layer.is_first, style_of(chosen.surface).has_value());
     DepthTexture known;
     if (layer.is_first || !is_expected || has_lines) known = depths(layer.view);
     if (layer.is_first)
@@ -60,9 +73,8 @@ DepthTexture ViewDrawing::depths(ViewLayers::View view) {
 
 void ViewDrawing::paint(const std::vector<SurfaceLayer>& layers, SurfaceLook look,
                         const Eigen::Matrix4d& modelview, const DepthTexture& depths) {
-    if (look != SurfaceLook::Paper && look != SurfaceLook::Toon) return;
-    const SurfaceStyle style =
-        look == SurfaceLook::Paper ? SurfaceStyle::Paper : SurfaceStyle::Toon;
+    const std::optional<SurfaceStyle> style = style_of(look);
+    if (!style) return;
     for (const SurfaceLayer& layer : layers)
-        surfaces_.paint(layer, style, modelview * layer.transform, depths, buffers_);
+        surfaces_.paint(layer, *style, modelview * layer.transform, depths, buffers_);
 }

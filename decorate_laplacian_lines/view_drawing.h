@@ -24,15 +24,16 @@ struct LayerInView {
 };
 
 /// Draws, in each redraw, the background, then all layers' surfaces, then the lines layer by layer,
-/// since they reach beyond their own outline. Needs the view's context current with the camera's
-/// matrices; keeps OpenGL's state. GUI thread only.
+/// since they reach beyond their own outline. A layer that is not as in the redraw before comes
+/// late, over lines of others; the view is then drawn again. Needs the view's context current with
+/// the camera's matrices; keeps OpenGL's state. GUI thread only.
 class ViewDrawing {
 public:
     /// @throws std::runtime_error if OpenGL cannot do it
     void draw(const LayerInView& layer, const laplacian_lines::LineSet& lines,
               const DecorationParameters& chosen, line_renderer::RedrawClock& clock);
-    /// The same if the lines of all layers are a picture, in the inks of inks_of(), which the view
-    /// shows from `corner` on.
+    /// The same if the lines of all layers are a picture, in the inks of inks_of(). `corner`: the
+    /// picture's pixel at the view's upper left.
     /// @throws std::runtime_error if OpenGL cannot do it
     void draw(const LayerInView& layer, const line_renderer::InkPicture& lines,
               const Eigen::Vector2i& corner, const DecorationParameters& chosen);

@@ -7,9 +7,10 @@
 using line_renderer::SurfaceLayer;
 
 bool ViewLayers::reach(View view, QWidget* widget, int mesh, const SurfaceLayer& layer,
-                       bool is_first) {
+                       bool is_first, bool is_painted) {
     Redraw& redraw = views_[view];
     redraw.widget = widget;
+    redraw.is_painted = is_painted;
     if (is_first) {
         drop_unreached(redraw);
         for (auto& entry : redraw.layers)
@@ -69,7 +70,8 @@ void ViewLayers::end_redraws() {
         Redraw& redraw = view.second;
         if (redraw.is_over) continue;
         redraw.is_over = true;
-        const bool matters = !are_in_depth_buffer(redraw);  // else the layers hide each other
+        // else the layers hide each other, and none has covered lines
+        const bool matters = redraw.is_painted || !are_in_depth_buffer(redraw);
         const bool was_wrong = drop_unreached(redraw) || redraw.was_wrong;
         if (was_wrong && matters && redraw.widget) redraw.widget->update();
     }

@@ -15,12 +15,13 @@
 /// drawn again if that was wrong. GUI thread only.
 class ViewLayers {
 public:
-    using View = const void*;  ///< a name, never followed
+    using View = const void*;  ///< a key, never dereferenced
 
     /// To be called for each layer that a redraw of the view reaches, `mesh` its id; `widget` shows
-    /// the view and may be null. Returns whether the layer is as it was in the redraw before.
+    /// the view and may be null. `is_painted`: surfaces are, so one that comes late covers lines.
+    /// Returns whether the layer is as it was in the redraw before.
     bool reach(View view, QWidget* widget, int mesh, const line_renderer::SurfaceLayer& layer,
-               bool is_first);
+               bool is_first, bool is_painted);
     /// Forgets layers of the view that are gone or hidden: those not in `shown`, ascending ids.
     void forget_all_but(View view, const std::vector<int>& shown);
     /// The view is gone.
@@ -40,6 +41,7 @@ private:
         std::map<int, Entry> layers;  ///< by mesh
         QPointer<QWidget> widget;
         bool is_over = true;
+        bool is_painted = false;
         bool was_wrong = false;  ///< a layer had changed after lines were drawn
     };
 

@@ -150,6 +150,10 @@ TEST(MeshFaults, OfSurfacesTurnedInsideOut) {
         const TriangleMesh& mesh = mesh_named(name).mesh;
         EXPECT_EQ(faults_found(flipped(mesh, 1)), Faults{MeshFault::InsideOut}) << name;
     }
+    // Triangles without area face nowhere.
+    TriangleMesh degenerate = flipped(mesh_named("sphere").mesh, 1);
+    degenerate.triangles.resize(degenerate.triangles.size() * 5 / 4, {0, 0, 0});
+    EXPECT_EQ(faults_found(degenerate), Faults{MeshFault::InsideOut});
     // A hole, as in scans; an open surface has no inside.
     TriangleMesh holed = mesh_named("sphere").mesh;
     holed.triangles.resize(holed.triangles.size() * 98 / 100);

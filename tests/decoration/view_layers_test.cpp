@@ -25,7 +25,7 @@ protected:
     int redraw(const std::vector<SurfaceLayer>& layers) {
         int expected = 0;
         for (std::size_t i = 0; i < layers.size(); ++i)
-            expected += layers_.reach(view_, &widget_, int(i), layers[i], i == 0);
+            expected += layers_.reach(view_, &widget_, int(i), layers[i], i == 0, is_painted_);
         return expected;
     }
 
@@ -38,6 +38,7 @@ protected:
 
     CountingWidget widget_;
     ViewLayers layers_;
+    bool is_painted_ = false;  // surfaces are
     const int name_ = 0;
     const ViewLayers::View view_ = &name_;
     const std::shared_ptr<const Surface> surface_ = std::make_shared<Surface>();
@@ -47,7 +48,7 @@ TEST_F(ViewLayersTest, OfOneViewAreNotThoseOfAnother) {
     const int other = 0;
     redraw({layer(1), layer(2)});
     EXPECT_TRUE(layers_.in(&other).empty());
-    EXPECT_FALSE(layers_.reach(&other, nullptr, 0, layer(1), true));
+    EXPECT_FALSE(layers_.reach(&other, nullptr, 0, layer(1), true, false));
     layers_.forget(view_);
     EXPECT_TRUE(layers_.in(view_).empty());
     EXPECT_EQ(layers_.in(&other).size(), 1u);
@@ -76,12 +77,15 @@ TEST_F(ViewLayersTest, DoNotRedrawWhatTheDepthBufferHides) {
     EXPECT_EQ(redraws_after({layer(1, true), layer(2, true)}), 0);
     EXPECT_EQ(redraws_after({layer(1, true), layer(3, true)}), 0);
     EXPECT_EQ(redraws_after({layer(1, true)}), 0);
+    is_painted_ = true;
+    EXPECT_EQ(redraws_after({layer(1, true), layer(2, true)}), 1) << "painted over lines";
+    EXPECT_EQ(redraws_after({layer(1, true), layer(2, true)}), 0);
 }
 
 TEST_F(ViewLayersTest, MayOutliveTheWidget) {
     auto widget = std::make_unique<QWidget>();
-    layers_.reach(view_, widget.get(), 0, layer(1), true);
-    layers_.reach(view_, widget.get(), 1, layer(2), false);
+    layers_.reach(view_, widget.get(), 0, layer(1), true, false);
+    layers_.reach(view_, widget.get(), 1, layer(2), false, false);
     widget.reset();
     wait(50);
     EXPECT_EQ(layers_.in(view_).size(), 2u);

@@ -32,8 +32,8 @@ private:
 /// Illustration", section on extraction; the members of LineStyle say where we deviate.
 class LineExtractor {
 public:
-    /// Values of the field that are not finite count as zero.
-    /// @throws Error(FieldMismatch, InvalidMesh, Cancelled)
+    /// Values of the field that are NaN count as zero, infinite ones as very large.
+    /// @throws Error(FieldMismatch, InvalidMesh, EmptyMesh, Cancelled)
     LineExtractor(const TriangleMesh& mesh, const Field& field, const Progress& progress = {});
     ~LineExtractor();
     LineExtractor(LineExtractor&&) noexcept;
@@ -41,13 +41,14 @@ public:
 
     /// Replaces `lines` with the lines of this view, in an order that depends on the input alone.
     /// Thread-safe, each thread with its own scratch and line set.
-    /// @throws Error(InvalidOption) if a style value is out of range or the view is not finite
+    /// @throws Error(InvalidOption) if a style value is out of range, or if the view is not finite
+    /// or has a direction of length 0
     void extract(const View& view, const LineStyle& style, ExtractionScratch& scratch,
                  LineSet& lines) const;
 
     /// Adds what kinds with LineKindDescription::needs_derivatives read, as if the field had had
     /// derivatives from the start. Not while another thread extracts. Strong exception guarantee.
-    /// @throws Error(FieldMismatch)
+    /// @throws Error(FieldMismatch, InvalidMesh, EmptyMesh)
     void add_derivatives(const TriangleMesh& mesh, const Field& field);
 
     /// Bytes.

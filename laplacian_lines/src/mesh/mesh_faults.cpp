@@ -11,7 +11,8 @@ namespace {
 
 /// Shares of the edges; scans in pieces of a few hundred triangles have 5 % borders.
 constexpr double kMostBorders = 0.2, kMostOpposed = 0.02;
-/// Shares of the triangles that were turned: less is a few specks of a scan, more is nearly all.
+/// Shares of the usable triangles that were turned: less is a few specks of a scan, more is nearly
+/// all.
 constexpr double kLeastFlipped = 1e-3, kMostFlipped = 0.9;
 /// Angle, in radians, by which half of the surface turns within the kernel.
 constexpr double kMostBend = 0.7;
@@ -27,7 +28,8 @@ std::vector<MeshFault> faults_of(const MeshReport& report) {
     if (report.border_share > kMostBorders) faults.push_back(MeshFault::Torn);
     if (report.opposed_share > kMostOpposed) faults.push_back(MeshFault::Disagreeing);
     if (!faults.empty()) return faults;  // to be repaired first: others are judged on a surface
-    const double turned = double(report.flipped_triangles) / double(report.triangles);
+    const double turned =
+        double(report.flipped_triangles) / double(report.triangles - report.degenerate_triangles);
     if (turned > kMostFlipped)
         faults.push_back(MeshFault::InsideOut);
     else if (turned > kLeastFlipped)
