@@ -8,8 +8,6 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include <limits>
-
 #include "arrays.h"
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/field_columns.h"
@@ -35,7 +33,7 @@ nb::list rows_of(const std::vector<OptionRow<Options>>& table) {
     constexpr const char* kinds[] = {"real", "length", "boolean", "choice"};
     nb::list rows;
     for (const auto& row : table) {
-        const bool is_limited = row.maximum != std::numeric_limits<double>::max();
+        const bool is_limited = row.maximum != kUnlimited;
         rows.append(dict_of("key"_a = row.key, "help"_a = row.help,
                             "kind"_a = kinds[std::size_t(row.kind)], "minimum"_a = row.minimum,
                             "maximum"_a = is_limited ? nb::cast(row.maximum) : nb::none(),

@@ -72,8 +72,8 @@ def write_start(stage, name):
     """From 2022.02 on, MeshLab would also load the plugins that the user has added: give it another folder to look for
     them. Its OpenGL needs an X display, also on Wayland. Plugins that are compiled with sanitizers need their library,
     $SANITIZER_LIBRARY, in the program."""
-    library = shlex.quote(os.environ.get("SANITIZER_LIBRARY", ""))
+    library = os.environ.get("SANITIZER_LIBRARY")
     data, program = (shlex.quote(str(stage / "system" / place)) for place in ("data", f"bin/{name}"))
-    preload = f"export LD_PRELOAD={library}\n" if library != "''" else ""
+    preload = f"export LD_PRELOAD={shlex.quote(library)}\n" if library else ""
     script = f'#!/bin/sh\n{preload}XDG_DATA_HOME={data} QT_QPA_PLATFORM=xcb exec {program} "$@"\n'
     put_file(os.fsencode(script), stage / "bin" / name, 0o755)

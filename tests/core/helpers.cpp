@@ -159,6 +159,11 @@ LineStyle only(LineKind kind) {
     return style;
 }
 
+bool lies_on_the_surface(LineKind kind) {
+    return kind == LineKind::Ridge || kind == LineKind::Valley || kind == LineKind::Border ||
+           kind == LineKind::Crease || kind == LineKind::DemarcatingCurve;
+}
+
 Field complete_field(const TriangleMesh& mesh, PrecomputeOptions options) {
     options.curvature_derivatives = true;
     return precompute(mesh, options);

@@ -49,6 +49,9 @@ laplacian_lines::LineStyle all_kinds();
 /// One kind, all else at its default.
 laplacian_lines::LineStyle only(laplacian_lines::LineKind kind);
 
+/// Whether only the visibility of a kind's lines depends on the view.
+bool lies_on_the_surface(laplacian_lines::LineKind kind);
+
 /// With what any kind needs.
 laplacian_lines::Field complete_field(const laplacian_lines::TriangleMesh& mesh,
                                       laplacian_lines::PrecomputeOptions options = {});
@@ -71,6 +74,7 @@ std::multiset<Edge> edges_of(const laplacian_lines::TriangleMesh& mesh,
                              const laplacian_lines::LineSet& lines);
 
 bool same_lines(const laplacian_lines::LineSet& a, const laplacian_lines::LineSet& b);
+
 bool same_fields(const laplacian_lines::Field& a, const laplacian_lines::Field& b);
 
 }  // namespace helpers

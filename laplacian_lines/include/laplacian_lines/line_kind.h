@@ -40,7 +40,6 @@ struct LineKindDescription {
     const char* many;   ///< several
     LineGradient gradient;
     bool is_outline = false;         ///< bounds the form; the others describe what is inside
-    bool depends_on_view = false;    ///< otherwise only its visibility does
     bool is_on_horizon = false;      ///< where the surface turns away from the eye
     bool shown = true;               ///< by default
     bool needs_derivatives = false;  ///< needs Field::has_derivatives()
@@ -55,11 +54,6 @@ struct LineKindDescription {
         row.width = 2;
         return row;
     }
-    constexpr LineKindDescription of_view() const {
-        LineKindDescription row = *this;
-        row.depends_on_view = true;
-        return row;
-    }
     constexpr LineKindDescription on_request() const {
         LineKindDescription row = *this;
         row.shown = false;
@@ -71,7 +65,7 @@ struct LineKindDescription {
         return row;
     }
     constexpr LineKindDescription on_horizon() const {
-        LineKindDescription row = of_view();
+        LineKindDescription row = *this;
         row.is_on_horizon = true;
         return row;
     }
@@ -91,8 +85,7 @@ struct LineKindDescription {
 inline constexpr std::array kLineKinds = {
     LineKindDescription{LineKind::Laplacian, "laplacian_lines", "Laplacian Lines",
                         "Folds and feet of forms: where the Laplacian of the shading is zero.",
-                        "Laplacian line", "Laplacian lines", LineGradient::Illumination}
-        .of_view(),
+                        "Laplacian line", "Laplacian lines", LineGradient::Illumination},
     LineKindDescription{LineKind::Contour, "contours", "Outlines",
                         "Where the surface turns away from the eye.", "outline", "outlines",
                         LineGradient::Illumination}
@@ -126,7 +119,6 @@ inline constexpr std::array kLineKinds = {
                         "Where outlines would begin if the object turned a little (DeCarlo "
                         "and others 2003).",
                         "suggestive contour", "suggestive contours", LineGradient::Illumination}
-        .of_view()
         .of_derivatives()
         .in_color(0x1f4e99),
     LineKindDescription{LineKind::SuggestiveHighlight, "suggestive_highlights",
@@ -134,21 +126,18 @@ inline constexpr std::array kLineKinds = {
                         "Counterparts of suggestive contours where the surface turns "
                         "towards the eye (DeCarlo and Rusinkiewicz 2007).",
                         "suggestive highlight", "suggestive highlights", LineGradient::Illumination}
-        .of_view()
         .of_derivatives()
         .in_color(0xd08a1d),
     LineKindDescription{LineKind::ApparentRidge, "apparent_ridges", "Apparent Ridges",
                         "Ridges and valleys of the surface as it is seen from the eye (Judd "
                         "and others 2007).",
                         "apparent ridge", "apparent ridges", LineGradient::Curvature}
-        .of_view()
         .of_derivatives()
         .in_color(0xa3282f),
     LineKindDescription{LineKind::PhoticExtremum, "photic_extrema", "Photic Extremum Lines",
                         "Where the shading changes most on its way from dark to bright (Xie "
                         "and others 2007).",
                         "photic extremum line", "photic extremum lines", LineGradient::Illumination}
-        .of_view()
         .of_derivatives()
         .in_color(0x2e7d4f),
 };

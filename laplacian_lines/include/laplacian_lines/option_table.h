@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <string>
 #include <variant>
 #include <vector>
@@ -23,6 +24,8 @@ enum class OptionKind {
     Direction,  ///< in world coordinates, of any length but 0
 };
 
+constexpr double kUnlimited = std::numeric_limits<double>::max();
+
 /// The texts and limits of an option.
 struct OptionDescription {
     const char* key;    ///< identifier in scripts, stable between versions
@@ -30,7 +33,7 @@ struct OptionDescription {
     const char* help;   ///< what it does, with its unit
     OptionKind kind;
     double minimum;
-    double maximum;
+    double maximum;  ///< kUnlimited if there is none
     std::vector<const char*> choices;
 };
 

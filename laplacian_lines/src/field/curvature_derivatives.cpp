@@ -17,7 +17,6 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr double kLargestFloat = 1e38;
 constexpr double kSmoothed = 0.3;  // part of the time at which S̄ is known
 
 // Between a triangle's normal and its corners'; below, S is of another side.
@@ -105,10 +104,6 @@ void fill_in(const PreparedMesh& mesh, const Field& field, const std::vector<std
     }
 }
 
-float to_float(double x) {
-    return std::isfinite(x) ? float(std::clamp(x, -kLargestFloat, kLargestFloat)) : 0.f;
-}
-
 /// Results in the mesh's unit, at the original mesh's vertices.
 void write(const PreparedMesh& mesh, const std::vector<Eigen::Vector3d>& smoothed,
            const std::vector<CubicForm>& forms, Field& field) {
@@ -123,12 +118,7 @@ void write(const PreparedMesh& mesh, const std::vector<Eigen::Vector3d>& smoothe
         derivatives[v] = (forms[i].entries() / d / d).unaryExpr(&to_float);
     });
     fill_midpoint_derivatives(mesh, field);
-    const std::vector<std::uint32_t>& representative = mesh.representative;
-    for_each_element(representative.size(), [&](std::size_t v) {
-        if (representative[v] == v) return;
-        curvatures[v] = curvatures[representative[v]];
-        derivatives[v] = derivatives[representative[v]];
-    });
+    copy_to_welded(mesh.representative, curvatures, derivatives);
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "field/symmetric_tensor.h"
@@ -98,6 +101,21 @@ void fill_midpoints(const PreparedMesh& mesh, Field& field);
 
 /// The same of S̄ and C, carried from the ends' tangent frames to theirs.
 void fill_midpoint_derivatives(const PreparedMesh& mesh, Field& field);
+
+/// Gives welded vertices what their representatives have in the `columns`, [N] of the input.
+template <class... Column>
+void copy_to_welded(const std::vector<std::uint32_t>& representative, Column&... columns) {
+    for_each_element(representative.size(), [&](std::size_t v) {
+        const std::uint32_t r = representative[v];
+        if (r != v) ((columns[v] = columns[r]), ...);
+    });
+}
+
+/// A number of a field in the mesh's unit: clamped, as tiny kernels on tiny meshes overflow.
+inline float to_float(double x) {
+    constexpr double largest = 1e38;
+    return std::isfinite(x) ? float(std::clamp(x, -largest, largest)) : 0.f;
+}
 
 /// Fills Field::smooth_curvatures and curvature_derivatives from the rest of the field alone. C is
 /// the slope of the linear function, in the tangent plane, that best fits S of the vertices within

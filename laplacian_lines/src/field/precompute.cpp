@@ -17,7 +17,6 @@ namespace laplacian_lines {
 namespace {
 
 constexpr int kTensorSmoothingPasses = 2;
-constexpr double kLargestFloat = 1e38;
 constexpr std::size_t kMostBendSamples = 20000;
 // Subdivisions are undone only if edges stay shorter than this, in D: forms of a few large
 // triangles were subdivided for a reason.
@@ -49,11 +48,6 @@ PreparedMesh prepare(const TriangleMesh& mesh, const PrecomputeOptions& options,
     if (options.kernel_size > 0) undoing.longest_edge = options.kernel_size;
     return prepare_mesh(mesh, options.weld_duplicates ? Cuts::Stitched : Cuts::Left, undoing,
                         facing);
-}
-
-/// Clamped: tiny kernels on tiny meshes overflow.
-float to_float(double x) {
-    return float(std::clamp(x, -kLargestFloat, kLargestFloat));
 }
 
 /// [N], local units; √h of a vertex is kernel_size times its relative size.
@@ -123,17 +117,6 @@ double kernel_bend(const PreparedMesh& mesh, const LocalField& local) {
     return *middle;
 }
 
-void copy_to_welded(const std::vector<std::uint32_t>& representative, Field& field) {
-    for_each_element(representative.size(), [&](std::size_t v) {
-        const std::uint32_t r = representative[v];
-        if (r == v) return;
-        field.normals[v] = field.normals[r];
-        field.laplacian_normals[v] = field.laplacian_normals[r];
-        field.shape_operators[v] = field.shape_operators[r];
-        field.kernel_sizes[v] = field.kernel_sizes[r];
-    });
-}
-
 /// Back to the input's order and units, for all of its vertices.
 Field in_input_units(const PreparedMesh& mesh, const LocalField& local, std::size_t vertex_count) {
     Field field;
@@ -154,7 +137,8 @@ Field in_input_units(const PreparedMesh& mesh, const LocalField& local, std::siz
         field.kernel_sizes[v] = float(local.relative_sizes[i] * local.kernel_size * d);
     });
     fill_midpoints(mesh, field);
-    copy_to_welded(mesh.representative, field);
+    copy_to_welded(mesh.representative, field.normals, field.laplacian_normals,
+                   field.shape_operators, field.kernel_sizes);
     field.scale = scale_of(mesh, local.kernel_size, local.normal_sigma);
     field.report = mesh.report;
     field.report.roughness = local.roughness;

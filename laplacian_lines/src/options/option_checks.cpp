@@ -3,15 +3,12 @@
 #include "laplacian_lines/option_table.h"
 
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include "laplacian_lines/error.h"
 
 namespace laplacian_lines {
 namespace {
-
-constexpr double kUnlimited = std::numeric_limits<double>::max();
 
 std::string in_words(double value) {
     std::ostringstream text;

@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The options of the field and of lines. The order is that of dialogs.
-#include <limits>
-
 #include "laplacian_lines/option_rows.h"
 
 namespace laplacian_lines {
-namespace {
-
 using namespace option_rows;
-
-constexpr double kUnlimited = std::numeric_limits<double>::max();
-
-}  // namespace
 
 const std::vector<OptionRow<PrecomputeOptions>>& precompute_option_table() {
     using O = PrecomputeOptions;
