@@ -120,6 +120,22 @@ TEST(HalfSection, HasAnAxisAndLinesThroughRimAndBase) {
     EXPECT_GT(share_drawn(sheet.groups[0], all.bottom(), middle - 15, middle + 15), 0.95);
 }
 
+TEST(HalfSection, HasNoLineFromTheInsideToTheOutside) {
+    test_meshes::VesselShape shape;  // of which numbers of ends inside are also some outside
+    shape.rings = 100;
+    shape.columns = 260;
+    const Sheet sheet =
+        sheet_helpers::sheet_of(test_meshes::thrown_vessel(shape), vessel_options());
+    const SheetGroup& vessel = sheet.groups.at(0);
+    const double middle = sheet_helpers::extent_of(vessel).center().x();
+    for (const SheetLayer& layer : vessel.layers)
+        for (const SheetPath& path : layer.paths) {
+            const QRectF box = painter_path(path.path).boundingRect();
+            const bool is_across = box.left() < middle - 1 && box.right() > middle + 1;
+            EXPECT_FALSE(is_across && box.height() > 1) << layer.key;  // rim and base are level
+        }
+}
+
 TEST(HalfSection, HasTheAxisOfRevolutionAlsoBesideAHandle) {
     const TriangleMesh jar = small_vessel();
     TriangleMesh mesh = test_meshes::moved(jar, {1000, 7, -300});
