@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace line_drawing;
@@ -60,6 +61,17 @@ TEST(Thinning, LeavesLinesThatCrossOrMeet) {
     EXPECT_NEAR(length_of_all(thin_out(lines, kPens)), length_of_all(lines), 1e-9);
 }
 
+TEST(Thinning, LeavesARingWhereALineCrossesItsBegin) {
+    const DrawnLine ring = circle(60 * kPen);
+    for (const double off : {0., 0.5, 1., 15.}) {
+        const double y = off * kPen;
+        const std::vector<DrawnLine> lines = {ring, straight({0.5, y}, {24, y})};
+        const auto thinned = thin_out(lines, kPens);
+        ASSERT_EQ(thinned.size(), 2u) << off;
+        EXPECT_NEAR(length_of_all(thinned), length_of_all(lines), 1e-9) << off;
+    }
+}
+
 TEST(Thinning, TakesAwayOnlyThePartBesideAnotherLine) {
     const auto thinned =
         thin_out({straight({0, 0}, {20, 0}), straight({10, 0.2}, {30, 0.2}, 0.5)}, kPens);
@@ -82,6 +94,31 @@ TEST(Thinning, LeavesWhiteBesideOutlinesAndEdgesWhichStay) {
         EXPECT_NEAR(left(0.6, kPen), 20, 0.1);  // whole, or not at all
         EXPECT_EQ(left(0.6, 0.8 * kPen), 0);
     }
+}
+
+std::vector<double> heights_of(const std::vector<DrawnLine>& lines) {
+    std::vector<double> heights;
+    for (const DrawnLine& line : lines)
+        heights.push_back(line.points[0].position.y());
+    std::sort(heights.begin(), heights.end());
+    return heights;
+}
+
+TEST(Thinning, LeavesWhiteBetweenCrowdedEdges) {
+    const auto left = [&](int count, double distance) {
+        std::vector<DrawnLine> edges;
+        for (int i = 0; i < count; ++i)
+            edges.push_back(straight({0, distance * i}, {20, distance * i}, 1, LineClass::Edge));
+        return heights_of(thin_out(edges, kPens));
+    };
+    EXPECT_EQ(left(2, 0.26).size(), 2u);  // a chamfer
+    EXPECT_EQ(left(9, 0.38).size(), 9u);
+    const std::vector<double> crowd = left(9, 0.26);
+    EXPECT_EQ(crowd.front(), 0);
+    EXPECT_EQ(crowd.back(), 8 * 0.26);
+    EXPECT_EQ(crowd.size(), 5u);
+    for (std::size_t i = 1; i < crowd.size(); ++i)
+        EXPECT_GT(crowd[i] - crowd[i - 1], 1.5 * kPen);
 }
 
 TEST(Thinning, LeavesOutWhatIsTooShortToBeSeen) {

@@ -35,7 +35,8 @@ std::vector<DrawnLine> chain(std::vector<DrawnLine> lines, const Pens& pens, boo
 /// Leaves white between lines, mm on the sheet: strongest first, an inner line goes where it runs
 /// within three pens of another one, or within half a pen of an outline, contour or edge, but not
 /// where lines cross or meet. So do strokes shorter than six pens, those within four pens of each
-/// other, and loops below 24.
+/// other, and loops below 24. Of edges side by side with less than half a pen between them, the
+/// first and the last stay, and as many between as have that white.
 /// `pens`: widths in mm, by LineClass.
 std::vector<DrawnLine> thin_out(std::vector<DrawnLine> lines, const Pens& pens);
 

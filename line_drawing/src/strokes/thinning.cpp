@@ -18,6 +18,8 @@ constexpr double kLeastWhite = 0.5;  // beside outlines
 // A part of a line has this much more white somewhere: what runs along an outline about as near as
 // that is left out whole, not where it happens to be nearer.
 constexpr double kClearWhite = 1;
+constexpr double kLeastApart = 0.5;  // of a line, with white beside stronger ones
+constexpr double kLowStep = 4;       // in depth: what is behind it is of the same form
 constexpr double kShortestStroke = 6;
 constexpr double kLeastExtent = 4;    // √h: what is folded within it is a knot
 constexpr double kLeastInk = 6;       // mean weight times length
@@ -54,6 +56,48 @@ void sort_by_strength(std::vector<DrawnLine>& lines) {
     });
 }
 
+/// Whether an edge of the form, or of a low step, has others on both sides along half of it, nearer
+/// than `nearest`: of grooves, threads and knurls at a small scale.
+bool is_crowded(const std::vector<DrawnLine>& lines, std::size_t number, const DrawnLines& all,
+                double nearest, double pen) {
+    const DrawnLine& line = lines[number];
+    const bool is_step = line.line_class == LineClass::Contour && line.jump < kLowStep * pen;
+    if (line.line_class != LineClass::Edge && !is_step) return false;
+    const auto is_no_edge = [&](std::size_t i) {
+        return i == number || is_on_curved(lines[i]) || lines[i].line_class == LineClass::Hidden;
+    };
+    const std::vector<DrawnPoint> points = refine(line.points, nearest);
+    std::size_t between = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const Vector2d &from = points[i - 1].position, &to = points[i].position;
+        const Vector2d way = (to - from).normalized(), side(-way.y(), way.x());
+        const auto has_next = [&](const Vector2d& s) {
+            return all.next_on((from + to) / 2, s, {0, nearest}, is_no_edge).has_value();
+        };
+        between += has_next(side) && has_next(-side);
+    }
+    return double(between) >= kLeastApart * double(points.size() - 1);
+}
+
+/// Has a ring, which ends with a copy of its first element, begin at another one.
+template <class T>
+void begin_at(std::size_t place, std::vector<T>& ring) {
+    ring.pop_back();
+    std::rotate(ring.begin(), ring.begin() + std::ptrdiff_t(place), ring.end());
+    ring.push_back(ring.front());
+}
+
+/// In the middle of the longest run of what is free.
+std::size_t freest_place(const std::vector<bool>& ring) {
+    const std::size_t count = ring.size() - 1;
+    std::size_t place = 0, longest = 0, run = 0;
+    for (std::size_t i = 0; i < 2 * count; ++i) {
+        run = ring[i % count] ? run + 1 : 0;
+        if (run > longest) longest = run, place = (i - run / 2) % count;
+    }
+    return place;
+}
+
 class Thinning {
 public:
     explicit Thinning(const Pens& pens)
@@ -83,7 +127,19 @@ public:
                 !is_beside(LineClass::Contour, points[i].position, more))
                 apart += piece;
         }
-        const bool stays = apart >= kLeastShare * middle;
+        const bool stays = apart >= kLeastApart * middle;
+        if (stays) add_outline(line);
+        return stays;
+    }
+
+    /// Unless less than half of a crowded edge has white beside others.
+    bool add_crowded(const DrawnLine& line) {
+        const std::vector<DrawnPoint> points = refine(line.points, pen_);
+        const double more = (pens_[std::size_t(line.line_class)] - pen_) / 2;
+        const auto apart = std::count_if(
+            points.begin(), points.end(),
+            [&](const DrawnPoint& point) { return is_beside_none(point.position, more); });
+        const bool stays = double(apart) >= kLeastApart * double(points.size());
         if (stays) add_outline(line);
         return stays;
     }
@@ -91,11 +147,17 @@ public:
     /// Whether all of it was added.
     bool add_free(const DrawnLine& line, std::vector<DrawnLine>& result) {
         if (line.closed && length_of(line.points) < kShortestLoop * pen_) return false;
-        const std::vector<DrawnPoint> points = refine(line.points, kStep * pen_);
+        std::vector<DrawnPoint> points = refine(line.points, kStep * pen_);
         std::vector<bool> are_free(points.size());
         for (std::size_t i = 0; i < points.size(); ++i)
             are_free[i] = is_free(points[i].position);
+        const auto begin_ring_at = [&](std::size_t place) {
+            if (line.closed) begin_at(place, points), begin_at(place, are_free);
+        };
+        begin_ring_at(freest_place(are_free));  // where nothing is to be bridged
         bridge(points, are_free);
+        const auto covered = std::find(are_free.begin(), are_free.end(), false);
+        if (covered != are_free.end()) begin_ring_at(std::size_t(covered - are_free.begin()));
         const double shortest =
             share_of(points, are_free) < kLeastShare ? kLongestIsland : kShortestStroke;
         for (std::size_t begin = 0; begin < points.size();) {
@@ -258,14 +320,25 @@ std::vector<DrawnLine> without_fragments(std::vector<DrawnLine> lines, double sh
 }
 
 std::vector<DrawnLine> thin_out(std::vector<DrawnLine> lines, const Pens& pens) {
+    const double pen = pens[std::size_t(LineClass::Inner)];
+    const double nearest = pens[std::size_t(LineClass::Edge)] + kLeastWhite * pen;
+    const DrawnLines all = all_of(lines, nearest);
     Thinning thinning(pens);
-    std::vector<DrawnLine> result, contours, inner;
-    for (DrawnLine& line : lines) {
-        const bool is_curved = is_curved_contour(line);
-        if (line.line_class != LineClass::Hidden && !is_inner(line) && !is_curved)
-            thinning.add_outline(line);
-        (is_inner(line) ? inner : is_curved ? contours : result).push_back(std::move(line));
+    std::vector<DrawnLine> result, crowded, contours, inner;
+    std::vector<std::vector<DrawnLine>*> groups;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        groups.push_back(is_inner(lines[i])                        ? &inner
+                         : is_curved_contour(lines[i])             ? &contours
+                         : is_crowded(lines, i, all, nearest, pen) ? &crowded
+                                                                   : &result);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (groups[i] == &result && lines[i].line_class != LineClass::Hidden)
+            thinning.add_outline(lines[i]);
+        groups[i]->push_back(std::move(lines[i]));
     }
+    sort_by_strength(crowded);
+    for (DrawnLine& line : crowded)
+        if (thinning.add_crowded(line)) result.push_back(std::move(line));
     sort_by_strength(contours);
     for (DrawnLine& line : contours)
         if (thinning.add_contour(line)) result.push_back(std::move(line));
@@ -273,7 +346,7 @@ std::vector<DrawnLine> thin_out(std::vector<DrawnLine> lines, const Pens& pens) 
     std::vector<double> strengths;
     for (const DrawnLine& line : inner)
         strengths.push_back(strength_of(line));
-    for_each_by_families(inner, strengths, kBetweenLines * pens[std::size_t(LineClass::Inner)],
+    for_each_by_families(inner, strengths, kBetweenLines * pen,
                          [&](std::size_t i) { return thinning.add_free(inner[i], result); });
     return result;
 }
