@@ -22,23 +22,14 @@ enum class LineKind : std::uint32_t {
     PhoticExtremum,       ///< where the illumination changes most
 };
 
-/// What LinePoint::gradient is on lines of a kind.
-enum class LineGradient {
-    None,
-    Illumination,  ///< ‖∇I‖·D, dimensionless
-    Curvature,     ///< the largest view-dependent curvature q1·D, dimensionless
-    Angle,         ///< by which the surface turns, degrees
-};
-
 /// Names and defaults of a kind. ASCII.
 struct LineKindDescription {
     LineKind kind;
-    const char* key;    ///< identifier in scripts, stable between versions
-    const char* label;  ///< its switch in dialogs
-    const char* help;   ///< of the switch
-    const char* one;    ///< a line of this kind, within a sentence
-    const char* many;   ///< several
-    LineGradient gradient;
+    const char* key;                 ///< identifier in scripts, stable between versions
+    const char* label;               ///< its switch in dialogs
+    const char* help;                ///< of the switch
+    const char* one;                 ///< a line of this kind, within a sentence
+    const char* many;                ///< several
     bool is_outline = false;         ///< bounds the form; the others describe what is inside
     bool is_on_horizon = false;      ///< where the surface turns away from the eye
     bool shown = true;               ///< by default
@@ -85,59 +76,57 @@ struct LineKindDescription {
 inline constexpr std::array kLineKinds = {
     LineKindDescription{LineKind::Laplacian, "laplacian_lines", "Laplacian Lines",
                         "Folds and feet of forms: where the Laplacian of the shading is zero.",
-                        "Laplacian line", "Laplacian lines", LineGradient::Illumination},
+                        "Laplacian line", "Laplacian lines"},
     LineKindDescription{LineKind::Contour, "contours", "Outlines",
-                        "Where the surface turns away from the eye.", "outline", "outlines",
-                        LineGradient::Illumination}
+                        "Where the surface turns away from the eye.", "outline", "outlines"}
         .as_outline()
         .on_horizon(),
     LineKindDescription{LineKind::Ridge, "ridges", "Ridges",
-                        "Convex edges of the form, sharp or rounded.", "ridge", "ridges",
-                        LineGradient::Angle}
+                        "Convex edges of the form, sharp or rounded.", "ridge", "ridges"}
         .with_key_color(0x7a4b2a),
     LineKindDescription{LineKind::Border, "borders", "Borders", "Of holes and open surfaces.",
-                        "border", "borders", LineGradient::None}
+                        "border", "borders"}
         .as_outline()
         .with_key_color(0x6b6b6b),
     LineKindDescription{LineKind::Crease, "creases", "Creases",
                         "Sharp edges of the form, on meshes of few triangles, such as those of "
                         "CAD programs, and of many.",
-                        "crease", "creases", LineGradient::Angle}
+                        "crease", "creases"}
         .with_key_color(0x4a5b6b),
     LineKindDescription{LineKind::Valley, "valleys", "Valleys",
                         "Concave edges of the form, sharp or rounded: the bottoms of grooves.",
-                        "valley", "valleys", LineGradient::Angle}
+                        "valley", "valleys"}
         .on_request()
         .with_key_color(0x1b8a9c),
     LineKindDescription{LineKind::DemarcatingCurve, "demarcating_curves", "Demarcating Curves",
                         "Along which a relief turns most sharply from hollow to "
                         "bulging: its middle height on every flank.",
-                        "demarcating curve", "demarcating curves", LineGradient::Angle}
+                        "demarcating curve", "demarcating curves"}
         .of_derivatives()
         .with_key_color(0x8a3c93),
     LineKindDescription{LineKind::SuggestiveContour, "suggestive_contours", "Suggestive Contours",
                         "Where outlines would begin if the object turned a little (DeCarlo "
                         "and others 2003).",
-                        "suggestive contour", "suggestive contours", LineGradient::Illumination}
+                        "suggestive contour", "suggestive contours"}
         .of_derivatives()
         .in_color(0x1f4e99),
     LineKindDescription{LineKind::SuggestiveHighlight, "suggestive_highlights",
                         "Suggestive Highlights",
                         "Counterparts of suggestive contours where the surface turns "
                         "towards the eye (DeCarlo and Rusinkiewicz 2007).",
-                        "suggestive highlight", "suggestive highlights", LineGradient::Illumination}
+                        "suggestive highlight", "suggestive highlights"}
         .of_derivatives()
         .in_color(0xd08a1d),
     LineKindDescription{LineKind::ApparentRidge, "apparent_ridges", "Apparent Ridges",
                         "Ridges and valleys of the surface as it is seen from the eye (Judd "
                         "and others 2007).",
-                        "apparent ridge", "apparent ridges", LineGradient::Curvature}
+                        "apparent ridge", "apparent ridges"}
         .of_derivatives()
         .in_color(0xa3282f),
     LineKindDescription{LineKind::PhoticExtremum, "photic_extrema", "Photic Extremum Lines",
                         "Where the shading changes most on its way from dark to bright (Xie "
                         "and others 2007).",
-                        "photic extremum line", "photic extremum lines", LineGradient::Illumination}
+                        "photic extremum line", "photic extremum lines"}
         .of_derivatives()
         .in_color(0x2e7d4f),
 };

@@ -13,9 +13,11 @@ namespace laplacian_lines {
 struct LinePoint {
     Eigen::Vector3f position;  ///< mesh coordinates, less the set's origin
     float weight;              ///< 0..1, share of the full line width
-    float gradient;  ///< see LineKindDescription::gradient; of contours for the light at the eye, 0
-                     ///< at vertices whose edges they follow
-    float opacity;   ///< 0..1; lines that are about to vanish are nearly transparent
+    /// ‖∇I‖·D; of contours for the light at the eye, 0 at vertices whose edges they follow; of
+    /// apparent ridges q1·D; of ridges, valleys, creases and demarcating curves the angle by which
+    /// the surface turns, degrees; of borders 0.
+    float gradient;
+    float opacity;  ///< 0..1; lines that are about to vanish are nearly transparent
 };
 
 /// A traced line: points[first .. first+count) of its LineSet. A closed one repeats its first

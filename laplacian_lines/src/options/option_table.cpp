@@ -68,7 +68,7 @@ const std::vector<OptionRow<LineStyle>>& line_style_table() {
     using S = LineStyle;
     static const std::vector<OptionRow<S>> table = {
         real<&S::detail>("detail", "Detail", 0, 100,
-                         "More or fewer lines, 0 to 100: moves all thresholds together. 50 leaves "
+                         "Fewer or more lines, 0 to 100: moves all thresholds together. 50 leaves "
                          "them as they are."),
 
         // Which kinds are drawn; what belongs to one alone follows it.

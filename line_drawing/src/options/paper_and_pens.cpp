@@ -21,12 +21,6 @@ constexpr std::array<double, 10> kPenSeries = {0.1, 0.13, 0.18, 0.25, 0.35, 0.5,
 // mm on paper: smaller drawings get pens one or two steps finer.
 constexpr double kFullSize = 40, kHalfSize = 28;
 
-/// By so many steps.
-double finer(double pen, int steps) {
-    const auto place = std::lower_bound(kPenSeries.begin(), kPenSeries.end(), pen);
-    return kPenSeries[std::size_t(std::max<std::ptrdiff_t>(0, place - kPenSeries.begin() - steps))];
-}
-
 }  // namespace
 
 std::optional<Eigen::Vector2d> paper_size(const std::string& name) {
@@ -55,11 +49,17 @@ std::vector<double> usual_scales() {
     return scales;
 }
 
-Pens pens_for(double size, Pens pens) {
-    const int steps = size >= kFullSize ? 0 : size >= kHalfSize ? 1 : 2;
-    for (double& pen : pens)
-        if (steps > 0 && pen <= kPenSeries.back()) pen = std::min(pen, finer(pen, steps));
+Pens finer(Pens pens, std::ptrdiff_t steps) {
+    for (double& pen : pens) {
+        const auto place = std::lower_bound(kPenSeries.begin(), kPenSeries.end(), pen);
+        if (steps == 0 || place == kPenSeries.end()) continue;
+        pen = std::min(pen, *std::max(kPenSeries.begin(), place - steps));
+    }
     return pens;
+}
+
+Pens pens_for(double size, const Pens& pens) {
+    return finer(pens, size >= kFullSize ? 0 : size >= kHalfSize ? 1 : 2);
 }
 
 }  // namespace line_drawing

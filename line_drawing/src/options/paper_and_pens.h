@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,8 +18,11 @@ std::optional<Eigen::Vector2d> paper_size(const std::string& name);
 /// Scales of drawings, largest first: 1:2 is 0.5.
 std::vector<double> usual_scales();
 
+/// Finer by so many steps of √2.
+Pens finer(Pens pens, std::ptrdiff_t steps);
+
 /// Pens for a drawing whose largest view has this size on paper, mm: one or two steps finer if
 /// small.
-Pens pens_for(double size, Pens pens);
+Pens pens_for(double size, const Pens& pens);
 
 }  // namespace line_drawing

@@ -82,8 +82,8 @@ std::vector<SheetOption> make_table() {
          Place::Filter},
         {rows::real<&S::detail>(
             "detail", "Detail", 0, 100,
-            "0 to 100: more or fewer lines of all kinds, of finer or coarser forms; 50 is the "
-            "usual.")},
+            "0 to 100: fewer lines of all kinds, of coarser forms, or more of finer ones; 50 is "
+            "the usual.")},
         {rows::choice<kLook, &SheetLook::arrangement>(
             "arrangement", "Arrangement", {"First Angle", "Third Angle"},
             "How views lie around the front view. First angle (Europe): what is seen from the left "

@@ -45,7 +45,7 @@ Grid fill_paper(const Vector2d& paper, int count, double title_room) {
     return best;
 }
 
-/// On the smallest paper from A4 on that has room.
+/// On the smallest paper from A4 on that has room, else on A0, in smaller cells.
 Grid choose_grid(int count, double title_room) {
     Grid grid;
     for (const char* name : {"a4", "a3", "a2", "a1", "a0"}) {
@@ -83,6 +83,7 @@ SheetGroup place_in(const Box& cell, const ContactEntry& entry, int number) {
             for (SheetPath& path : layer.paths) {
                 path.path = path.path.placed(scale, shift);
                 path.pen_width *= scale;
+                path.dash *= scale;
             }
             result.layers.push_back(std::move(layer));
         }
@@ -103,6 +104,7 @@ SheetOptions contact_options(const laplacian_lines::TriangleMesh& mesh,
     SheetOptions result = options;
     result.views = {options.views.empty() ? frame_of_side(Side::Front, options.up)
                                           : options.views.front()};
+    result.views[0].eye.reset();  // objects are drawn at scale
     result.sections.clear();
     result.paper = "fit";
     result.has_annotations = false;
@@ -111,7 +113,7 @@ SheetOptions contact_options(const laplacian_lines::TriangleMesh& mesh,
     const double longest = options.mm_per_unit * size.maxCoeff();
     result.title = size_text(options.mm_per_unit * bounds_of(mesh).sizes());
     result.scale = longest > 0 ? kViewSize / longest : 1;
-    result.pens = {0.35, 0.25, 0.18, 0.18, 0.13, 0.25, 0.13};  // a step finer than on a page
+    result.pens = finer(options.pens, 1);
     return result;
 }
 

@@ -4,6 +4,7 @@
 #include "sheet/sheet_layout.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "line_drawing/words.h"
 #include "planes/corners.h"
@@ -22,6 +23,7 @@ constexpr double kContourSmoothing = 0.16;  // contours move by so much of the w
 constexpr double kInnerSmoothing = 0.6;     // inner lines by so much of their width
 constexpr double kLeastShare = 0.03;        // of the picture: least length of isolated lines
 constexpr double kHatchSpacing = 1.5, kHatchWidth = 0.5;  // mm; share of an inner line's width
+constexpr double kTouching = 0.1;                         // mm: nearer walls look like neighbours
 
 struct LayerName {
     const char *key, *name;
@@ -50,14 +52,34 @@ std::vector<MergedWalls> on_sheet(std::vector<MergedWalls> walls, const Placemen
     return walls;
 }
 
-/// Adjacent objects alternate in direction (ISO 128-3).
+Eigen::AlignedBox2d box_of(const MergedWalls& walls) {
+    Eigen::AlignedBox2d box;
+    for (const Wall& wall : walls)
+        for (const auto& loop : wall)
+            for (const Eigen::Vector2d& p : loop)
+                box.extend(p);
+    return box;
+}
+
+/// A wall has the direction opposite to that of the walls that it touches (ISO 128-3), or else to
+/// that of the wall before.
 void add_hatching(const std::vector<MergedWalls>& walls, std::vector<DrawnLine>& lines) {
-    double rise = -1;
+    std::vector<std::pair<Eigen::AlignedBox2d, double>> hatched;  // with their directions' y
     for (const MergedWalls& merged : walls) {
+        const Eigen::AlignedBox2d box = box_of(merged);
+        if (box.isEmpty()) continue;
+        double around = 0;
+        for (const auto& [other, rise] : hatched) {
+            const Eigen::AlignedBox2d common = other.intersection(box);
+            if (!common.isEmpty()) around += rise * common.diagonal().norm();
+        }
+        const double before = hatched.empty() ? 1 : hatched.back().second;
+        const double rise = (around != 0 ? around : before) > 0 ? -1 : 1;
         for (const auto& ends : hatch(merged, Eigen::Vector2d(1, rise).normalized(), kHatchSpacing))
             lines.push_back(
                 {LineClass::Fine, false, {{ends[0], kHatchWidth}, {ends[1], kHatchWidth}}});
-        rise = -rise;
+        const Eigen::Vector2d reach = Eigen::Vector2d::Constant(kTouching);
+        hatched.emplace_back(Eigen::AlignedBox2d(box.min() - reach, box.max() + reach), rise);
     }
 }
 

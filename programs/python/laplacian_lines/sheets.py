@@ -22,9 +22,9 @@ class Drawing(typing.NamedTuple):
     """A measured drawing. Notebooks show one that is SVG."""
 
     content: bytes  # of a file
-    format: str  # "svg", "pdf" or "dxf"
+    format: str  # "svg", "pdf", "dxf" or "png"
     paper: tuple[float, float]  # width and height, mm
-    scale: float  # drawn over true length, 0.5 for 1:2
+    scale: float  # drawn over true length, 0.5 for 1:2; 0: in perspective
     kernel: float  # √h of the inner lines, mm on paper; 0 if there are none
     remarks: tuple[str, ...]  # what is to be said of it besides
 
@@ -37,10 +37,12 @@ def make_drawing(*meshes: Any, format: str = "svg", **sheet_options: Unpack[Shee
     """Draws meshes together, which hide each other: their lines from several sides, at one scale, laid out on paper.
 
     `meshes` are what as_arrays() takes, in one coordinate system; the names of files are in the drawing's note. The fields
-    are computed for the drawing's scale. `format` is "svg", in millimetres, with layers by views and kinds, "pdf" or "dxf".
+    are computed for the drawing's scale. `format` is "svg", in millimetres, with layers by views and kinds, "pdf", "dxf" or
+    "png".
     The same meshes and options give the same bytes, which are those of the command. Raises Error if an option cannot be
     used, the drawing does not fit its paper at its scale, or a mesh has no surface; TypeError; OSError.
     """
+    format = format.lower()
     words = options.words(dict(sheet_options), options.SHEET)
     return Drawing(format=format, **_core.draw([_named(mesh) for mesh in meshes], words, format))
 
@@ -51,7 +53,7 @@ def write_drawing(file: str | os.PathLike[str], *meshes: Any, **sheet_options: U
 
     A file that was there is replaced, once the drawing is there as a whole. Returns the Drawing.
     """
-    drawing = make_drawing(*meshes, format=pathlib.Path(file).suffix[1:].lower(), **sheet_options)
+    drawing = make_drawing(*meshes, format=pathlib.Path(file).suffix[1:], **sheet_options)
     try:
         _core.write_atomically(os.fsencode(file), drawing.content)
     except _core.Error as error:

@@ -80,7 +80,7 @@ static inline ApparentCurvature apparent_curvature(const CurvatureColumns& p, co
 static inline void evaluate_apparent(const ClusterInSlot& place, const float eye[4],
                                      ApparentMemory& m) {
     const unsigned first = place.slot * kClusterVertices, count = place.cluster.vertex_count;
-    for (unsigned i = 0; i < count; i += kLanes) {
+    for (unsigned i = 0; i < form_groups(place.cluster) * kFormGroup; i += kLanes) {
         const CurvatureColumns p(curvatures_of(place), i, count);
         const Sight sight(p, eye);
         if (bits_of(sight.cosine > 0) == 0) {
@@ -94,7 +94,7 @@ static inline void evaluate_apparent(const ClusterInSlot& place, const float eye
     }
 }
 
-/// Directions at the ends of an edge with a greater angle than this belong to no common line.
+/// Cosine, of 45°: directions at the ends of an edge that differ by more belong to no common line.
 constexpr float kLeastAgreement = 0.7f;
 
 /// For kLanes triangles, from r and D at their corners: a bit for each side on which D r changes
