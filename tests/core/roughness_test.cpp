@@ -69,6 +69,35 @@ TEST(Roughness, TellsTerracesAndNoiseOnSmoothForms) {
     EXPECT_GT(sigma_of(test_meshes::with_noise(test_meshes::sphere(5).mesh, 0.4)), 1.6);
 }
 
+/// Stairs of finely cut steps on a wedge of large triangles.
+TriangleMesh stairs() {
+    constexpr int kSteps = 8, kCuts = 3;
+    const auto place = [](double i) {  // along treads and risers in turn
+        const double step = std::floor(i / (2 * kCuts)), rest = i - 2 * kCuts * step;
+        return std::pair(step + std::min(rest / kCuts, 1.), step + std::max(rest / kCuts - 1, 0.));
+    };
+    const int pieces = 2 * kCuts * kSteps;
+    TriangleMesh mesh = test_meshes::grid_mesh({12, pieces, false, false}, [&](double u, double v) {
+        const auto [x, y] = place(std::round(pieces * v));
+        return Vector3d(x, y, 4 * u);
+    });
+    test_meshes::append(mesh, {{{0, 0, 0},
+                                {kSteps, 0, 0},
+                                {kSteps, 0, 4},
+                                {0, 0, 4},
+                                {kSteps, kSteps, 0},
+                                {kSteps, kSteps, 4}},
+                               {{{0, 1, 2}}, {{0, 2, 3}}, {{1, 4, 5}}, {{1, 5, 2}}}});
+    return mesh;
+}
+
+TEST(Roughness, IsNoneOfFineStepsOfADesign) {
+    TriangleMesh many;  // so that no face is a large part of it
+    for (int i = 0; i < 20; ++i)
+        test_meshes::append(many, test_meshes::moved(stairs(), {12. * (i % 5), 0, 7. * (i / 5)}));
+    EXPECT_EQ(precompute(many).report.roughness, 0);
+}
+
 /// 1.5 times the root of the noise, in mean edges, whatever the form and however coarse.
 TEST(Roughness, MeasuresNoise) {
     for (const TriangleMesh& mesh :

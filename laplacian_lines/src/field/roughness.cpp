@@ -42,6 +42,10 @@ constexpr double kLeastTerraces = 1.2, kClearTerraces = 1.5;
 // In units of pairs_cost(): a tenth of a second. Where it would take longer it is not measured.
 constexpr double kLongest = 1e4;
 
+// Share of the area in triangles with a side of more than 3 mean edges: segmented volumes have
+// none, decimated to a quarter .26; CAD meshes that look like them .54 and more.
+constexpr double kLongSide = 3, kMostUneven = 0.4;
+
 // ---- noise ----
 
 // In mean edges: clean and decimated meshes have .03 at most, noise of 10 % of the edges .06 to .1.
@@ -123,6 +127,21 @@ double measure_terraces(const PreparedMesh& mesh, const SpatialTree& tree,
     return coarser > 0 ? ramp(from_triangles, kSmooth, kRough) * finer / coarser : 0;
 }
 
+/// Whether triangles are about as large as each other, as those of segmented volumes are.
+bool are_even(const PreparedMesh& mesh) {
+    const auto area = [&](std::size_t t) { return area_vector(mesh, mesh.triangles[t]).norm(); };
+    const auto long_area = [&](std::size_t i) {
+        const Triangle& t = mesh.triangles[i];
+        const auto side = [&](int k) {
+            return (mesh.positions[t[(k + 1) % 3]] - mesh.positions[t[k]]).norm();
+        };
+        const double longest = std::max({side(0), side(1), side(2)});
+        return longest > kLongSide * mesh.mean_edge ? area(i) : 0;
+    };
+    const std::size_t count = mesh.triangles.size();
+    return sum_of(count, long_area) < kMostUneven * sum_of(count, area);
+}
+
 }  // namespace
 
 double measure_roughness(const PreparedMesh& mesh, const VertexRanges& ranges,
@@ -135,10 +154,9 @@ double measure_roughness(const PreparedMesh& mesh, const VertexRanges& ranges,
     const double of_terraces = terraces * ramp(terraces, kLeastTerraces, kClearTerraces);
     if (of_noise == 0 && of_terraces == 0) return 0;
     const FlatFaces flat = flat_faces(mesh, CornerTable(mesh.triangles, mesh.size()));
-    // where all vertices are on edges, as of plates, the form turns their normals as terraces would
-    if (flat.are_large()) return 0;
     // noise leaves no flat faces, while small features of CAD meshes look like it
-    return flat.is_cad_mesh() ? of_terraces : std::max(of_noise, of_terraces);
+    if (!flat.is_cad_mesh()) return std::max(of_noise, of_terraces);
+    return are_even(mesh) ? of_terraces : 0;
 }
 
 double automatic_normal_sigma(double roughness) {
