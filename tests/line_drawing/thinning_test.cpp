@@ -121,6 +121,40 @@ TEST(Thinning, LeavesWhiteBetweenCrowdedEdges) {
         EXPECT_GT(crowd[i] - crowd[i - 1], 1.5 * kPen);
 }
 
+TEST(Classes, AreOneWhereEdgesAndContoursContinueEachOther) {
+    const auto edge = [](double x, double length, LineClass c) {
+        return straight({x, 0}, {x + length, 0}, 1, c);
+    };
+    constexpr auto e = LineClass::Edge, c = LineClass::Contour;
+    const auto classes = [](std::vector<DrawnLine> lines) {
+        even_out_classes(lines, 0.2);
+        std::vector<LineClass> found;
+        for (const DrawnLine& line : lines)
+            found.push_back(line.line_class);
+        return found;
+    };
+    using Classes = std::vector<LineClass>;
+    EXPECT_EQ(classes({edge(0, 5, e), edge(5, 3, c), edge(8.1, 9, e)}), Classes(3, e));
+    EXPECT_EQ(classes({edge(0, 5, c), edge(5, 3, e), edge(8.1, 9, c)}), Classes(3, c));
+    EXPECT_EQ(classes({edge(0, 5, e), straight({5, 0}, {7, 9}, 1, c)}), Classes({e, c}));
+    EXPECT_EQ(classes({edge(0, 5, e), edge(5.3, 9, c)}), Classes({e, c}));
+}
+
+TEST(Doubles, OfDoublesTheHighestClassStays) {
+    const double y = 0.01;  // a ring seen edge-on
+    DrawnLine ring = straight({4, y}, {8, y});
+    for (std::size_t i = ring.points.size(); i-- > 0;)
+        ring.points.push_back(ring.points[i]);
+    ring.closed = true;
+    const auto rest = without_doubles({straight({0, 0}, {20, 0}, 1, LineClass::Edge), ring,
+                                       straight({4, y}, {8, y}, 1, LineClass::Contour)},
+                                      0.2);
+    double length = 0;
+    for (const DrawnLine& line : rest)
+        if (line.line_class != LineClass::Inner) length += length_of(line.points);
+    EXPECT_NEAR(length, 20, 0.5);
+}
+
 TEST(Thinning, LeavesOutWhatIsTooShortToBeSeen) {
     EXPECT_TRUE(thin_out({straight({0, 0}, {5.9 * kPen, 0})}, kPens).empty());
     EXPECT_EQ(thin_out({straight({0, 0}, {6.1 * kPen, 0})}, kPens).size(), 1u);

@@ -148,6 +148,7 @@ std::vector<DrawnLine> draw_lines(const DrawnView& view, const Placement& placem
     lines = without_specks(std::move(lines), options);
     smooth_contours(lines, kContourSmoothing * pen);
     lines = without_doubles(std::move(lines), kDoubleReach * pen);
+    even_out_classes(lines, kDoubleReach * pen);
     const bool is_tapered = options.strokes == StrokeStyle::Tapered;
     const auto make_whole = [&] { lines = chain(std::move(lines), options.pens, is_tapered); };
     cut_hooks(lines, inner_pen);

@@ -2,6 +2,7 @@
 #include "strokes/strokes.h"
 
 #include <algorithm>
+#include <numeric>
 #include <unordered_map>
 
 #include "strokes/drawn_lines.h"
@@ -158,15 +159,25 @@ bool lies_on(const DrawnLines& there, const DrawnLine& line, double reach) {
     });
 }
 
-/// Lines may be equal once ends are joined: keeps the longest.
+/// The higher classes first, of a class the longest.
+std::vector<std::size_t> order_of(const std::vector<DrawnLine>& lines) {
+    std::vector<double> lengths;
+    for (const DrawnLine& line : lines)
+        lengths.push_back(length_of(line.points));
+    std::vector<std::size_t> order(lines.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        const int of_a = rank_of(lines[a].line_class), of_b = rank_of(lines[b].line_class);
+        return of_a != of_b ? of_a < of_b : lengths[a] > lengths[b];
+    });
+    return order;
+}
+
+/// Lines may be equal once ends are joined.
 std::vector<DrawnLine> without_equal(const std::vector<DrawnLine>& lines, double reach) {
-    std::vector<std::pair<double, std::size_t>> order;
-    for (std::size_t i = 0; i < lines.size(); ++i)
-        order.emplace_back(-length_of(lines[i].points), i);
-    std::sort(order.begin(), order.end());
     DrawnLines there(reach);
     std::vector<bool> is_kept(lines.size());
-    for (const auto& [length, i] : order) {
+    for (const std::size_t i : order_of(lines)) {
         is_kept[i] = lines[i].line_class == LineClass::Outline || !lies_on(there, lines[i], reach);
         if (is_kept[i]) there.add(positions_of(lines[i]));
     }
@@ -243,17 +254,9 @@ std::vector<DrawnLine> without_doubles(std::vector<DrawnLine> lines, double reac
     for (DrawnLine& line : lines)
         if (line.points.size() > 2 && line.line_class != LineClass::Outline)
             line = JogRemoval(line, reach).result();
-    std::vector<std::pair<double, std::size_t>> order;  // -length, so that the longest come first
-    for (std::size_t i = 0; i < lines.size(); ++i)
-        order.emplace_back(-length_of(lines[i].points), i);
-    std::sort(order.begin(), order.end(), [&](const auto& a, const auto& b) {
-        const int of_a = rank_of(lines[a.second].line_class),
-                  of_b = rank_of(lines[b.second].line_class);
-        return of_a != of_b ? of_a < of_b : a < b;
-    });
     DrawnLines there(reach);
     std::vector<DrawnLine> rest, left_out, parts;
-    for (const auto& [length, i] : order) {
+    for (const std::size_t i : order_of(lines)) {
         if (lines[i].line_class == LineClass::Outline) {  // whole, whatever is beside them
             rest.push_back(lines[i]);
             there.add(positions_of(lines[i]));

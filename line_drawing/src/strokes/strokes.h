@@ -25,6 +25,10 @@ void join_loose_ends(std::vector<DrawnLine>& lines, const std::vector<DrawnLine>
 /// meets the lines beside its ends.
 std::vector<DrawnLine> without_doubles(std::vector<DrawnLine> lines, double reach);
 
+/// Gives edges and contours that continue each other one class, that of the greater part of them: a
+/// line of the form has one width. `reach`: as of doubles.
+void even_out_classes(std::vector<DrawnLine>& lines, double reach);
+
 /// Joins inner lines that continue each other into one stroke, where they meet or across gaps of up
 /// to eight pens, half as long as either line, that no other line crosses, if all turns to one
 /// side; and contours within the surface that meet. With `mixes_kinds`, contours of curved surfaces
