@@ -140,21 +140,6 @@ TEST(Classes, AreOneWhereEdgesAndContoursContinueEachOther) {
     EXPECT_EQ(classes({edge(0, 5, e), edge(5.3, 9, c)}), Classes({e, c}));
 }
 
-TEST(Doubles, OfDoublesTheHighestClassStays) {
-    const double y = 0.01;  // a ring seen edge-on
-    DrawnLine ring = straight({4, y}, {8, y});
-    for (std::size_t i = ring.points.size(); i-- > 0;)
-        ring.points.push_back(ring.points[i]);
-    ring.closed = true;
-    const auto rest = without_doubles({straight({0, 0}, {20, 0}, 1, LineClass::Edge), ring,
-                                       straight({4, y}, {8, y}, 1, LineClass::Contour)},
-                                      0.2);
-    double length = 0;
-    for (const DrawnLine& line : rest)
-        if (line.line_class != LineClass::Inner) length += length_of(line.points);
-    EXPECT_NEAR(length, 20, 0.5);
-}
-
 TEST(Thinning, LeavesOutWhatIsTooShortToBeSeen) {
     EXPECT_TRUE(thin_out({straight({0, 0}, {5.9 * kPen, 0})}, kPens).empty());
     EXPECT_EQ(thin_out({straight({0, 0}, {6.1 * kPen, 0})}, kPens).size(), 1u);

@@ -115,10 +115,10 @@ private:
 
     void forget_short_runs(std::vector<bool>& is_in, double shortest) const {
         for (std::size_t begin = 0; begin < is_in.size();) {
-            std::size_t end = begin;
-            while (end < is_in.size() && is_in[end] == is_in[begin])
-                ++end;
-            const double length = (points_[end - 1].position - points_[begin].position).norm();
+            double length = 0;
+            std::size_t end = begin + 1;
+            for (; end < is_in.size() && is_in[end] == is_in[begin]; ++end)
+                length += (points_[end].position - points_[end - 1].position).norm();
             if (is_in[begin] && length < shortest)
                 std::fill(is_in.begin() + std::ptrdiff_t(begin),
                           is_in.begin() + std::ptrdiff_t(end), false);
