@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// T-junctions: a vertex on the border of a neighbouring triangle leaves the surface open there.
-//  1. Vertices on border sides are found, within rounding.
-//  2. Sides that they cut are kept if a part of one is an edge of another triangle, so that the cut
+// Cracks: borders that run side by side, and T-junctions, where a vertex on the border of a
+// neighbouring triangle leaves the surface open.
+//  1. Vertices of borders that are nearly at one place count as one.
+//  2. Vertices on border sides are found, nearly or within rounding.
+//  3. Sides that they cut are kept if a part of one is an edge of another triangle, so that the cut
 //     joins them; surfaces that only touch stay apart.
-//  3. Triangles are split at the cuts.
+//  4. Triangles are split at the cuts.
 // stitch_cuts() finds vertices to weld: those at one place, at an edge whose two triangles have
 // other numbers there.
 #include "mesh/conforming.h"
@@ -18,6 +20,7 @@
 
 #include "mesh/bounding_box.h"
 #include "mesh/box_tree.h"
+#include "mesh/equal_positions.h"
 #include "system/disjoint_sets.h"
 #include "system/equal_elements.h"
 #include "system/large_array.h"
@@ -31,31 +34,100 @@ using Eigen::Vector3d;
 constexpr double kPrecision = 0x1p-22;
 // Of the diagonal: with coarser coordinates all vertices would count as one.
 constexpr double kWorstPrecision = 1e-3;
+// Of the diagonal: patches of CAD programs and pieces of scans are as far apart; on paper that is a
+// fiftieth of a pen. Of the shortest side at a vertex, so that none collapses.
+constexpr double kCrack = 5e-5, kCrackOfSide = 0.25;
 
 /// Cuts of sides: the vertices on each, from its first end to its second.
 using Cuts = std::map<Edge, std::vector<std::uint32_t>>;
 
-Cuts find_cuts(const std::vector<Vector3d>& positions, const std::vector<Edge>& sides,
-               const Eigen::AlignedBox3d& box, double precision) {
-    const double size = box.diagonal().norm();
-    const auto local = [&](std::uint32_t v) -> Vector3d {
-        return (positions[v] - box.center()) / size;
-    };
-    const auto tree = BoxTree<3>::along_curve(sides.size(), local_box(), [&](std::uint32_t s) {
-        return box_around(local(sides[s][0]), local(sides[s][1]), precision / size);
-    });
+/// The ends of sides, ascending.
+std::vector<std::uint32_t> ends_of(const std::vector<Edge>& sides) {
     std::vector<std::uint32_t> ends;
     for (const Edge& side : sides)
         ends.insert(ends.end(), side.begin(), side.end());
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    return ends;
+}
+
+/// Borders of a surface, between places, in local coordinates for box trees.
+struct Borders {
+    const std::vector<Vector3d>& positions;
+    std::vector<Edge> sides;
+    Eigen::AlignedBox3d box;
+    double precision = 0;
+    std::vector<float> cracks;  ///< by vertex: how far from another one at the same place
+
+    Borders(const std::vector<Vector3d>& all, const std::vector<Triangle>& triangles)
+        : positions(all), sides(border_edges(triangles, all.size())) {
+        if (sides.empty()) return;
+        box = bounding_box(positions, triangles);
+        precision = precision_of(positions, triangles, size()).of_coordinates;
+        cracks.assign(positions.size(), float(std::max(precision, kCrack * size())));
+        for (const Triangle& t : triangles)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+                const auto most =
+                    float(std::max(precision, kCrackOfSide * (positions[b] - positions[a]).norm()));
+                cracks[a] = std::min(cracks[a], most);
+                cracks[b] = std::min(cracks[b], most);
+            }
+    }
+
+    double size() const { return box.diagonal().norm(); }
+    Vector3d local(std::uint32_t v) const { return (positions[v] - box.center()) / size(); }
+};
+
+/// Makes those of `place_of` that are nearly at one place one.
+void join_places(const Borders& borders, std::vector<std::uint32_t>& place_of) {
+    const std::vector<std::uint32_t> ends = ends_of(borders.sides);
+    const auto tree = BoxTree<3>::along_curve(ends.size(), local_box(), [&](std::uint32_t i) {
+        const Vector3d at = borders.local(ends[i]);
+        return box_around(at, at, double(borders.cracks[ends[i]]) / borders.size());
+    });
+    const auto find = [&](std::uint32_t i, std::vector<Edge>& found) {
+        const std::uint32_t v = ends[i];
+        tree.visit(
+            Eigen::AlignedBox3f(borders.local(v).cast<float>().eval()), [&](std::uint32_t k) {
+                const std::uint32_t other = ends[k];
+                const auto crack = double(std::min(borders.cracks[v], borders.cracks[other]));
+                if (other < v && (borders.positions[v] - borders.positions[other]).norm() <= crack)
+                    found.push_back({other, v});
+                return true;
+            });
+    };
+    const auto pairs = collect<Edge>(ends.size(), find);
+    if (pairs.empty()) return;
+    DisjointSets sets(place_of.size());
+    for (const auto& [a, b] : pairs)
+        sets.unite(a, b);
+    const std::vector<std::uint32_t> roots = sets.take_roots();
+    for (std::uint32_t& place : place_of)
+        place = roots[place];
+}
+
+Cuts find_cuts(const Borders& borders) {
+    const std::vector<Vector3d>& positions = borders.positions;
+    const std::vector<Edge>& sides = borders.sides;
+    const auto crack_at = [&](const Edge& side) {
+        return double(std::min(borders.cracks[side[0]], borders.cracks[side[1]]));
+    };
+    const auto tree = BoxTree<3>::along_curve(sides.size(), local_box(), [&](std::uint32_t s) {
+        return box_around(borders.local(sides[s][0]), borders.local(sides[s][1]),
+                          crack_at(sides[s]) / borders.size());
+    });
+    const std::vector<std::uint32_t> ends = ends_of(sides);
     using Found = std::pair<std::uint32_t, std::uint32_t>;  // side, vertex
     const auto find = [&](std::uint32_t i, std::vector<Found>& found) {
-        tree.visit(Eigen::AlignedBox3f(local(ends[i]).cast<float>().eval()), [&](std::uint32_t s) {
-            if (lies_between(positions, ends[i], sides[s][0], sides[s][1], precision))
-                found.emplace_back(s, ends[i]);
-            return true;
-        });
+        const std::uint32_t v = ends[i];
+        tree.visit(Eigen::AlignedBox3f(borders.local(v).cast<float>().eval()),
+                   [&](std::uint32_t s) {
+                       const double crack = std::min(crack_at(sides[s]), double(borders.cracks[v]));
+                       if (lies_between(positions, v, sides[s][0], sides[s][1], crack))
+                           found.emplace_back(s, v);
+                       return true;
+                   });
     };
     Cuts cuts;
     for (const auto& [s, v] : collect<Found>(ends.size(), find))
@@ -242,22 +314,25 @@ std::vector<Edge> border_edges(const std::vector<Triangle>& triangles, std::size
     return concatenate(visit_edges<std::vector<Edge>>(open.size(), vertices, of, add));
 }
 
-void make_conforming(const std::vector<Vector3d>& positions,
-                     const std::vector<std::uint32_t>& place_of, std::vector<Triangle>& triangles) {
-    const std::vector<Edge> borders =
-        border_edges(with_places(triangles, place_of), positions.size());
-    if (borders.empty()) return;
-    const Eigen::AlignedBox3d box = bounding_box(positions, triangles);
-    Cuts cuts = find_cuts(positions, borders, box,
-                          precision_of(positions, triangles, box.diagonal().norm()).of_coordinates);
-    keep_joining_cuts(borders, cuts);
-    if (cuts.empty()) return;
+std::vector<std::uint32_t> make_conforming(const std::vector<Vector3d>& positions,
+                                           std::vector<Triangle>& triangles) {
+    std::vector<std::uint32_t> place_of = first_equal_positions(positions);
+    if (is_closed(triangles)) return place_of;
+    const Borders apart(positions, with_places(triangles, place_of));
+    if (apart.sides.empty()) return place_of;
+    join_places(apart, place_of);
+    const Borders borders(positions, with_places(triangles, place_of));
+    if (borders.sides.empty()) return place_of;
+    Cuts cuts = find_cuts(borders);
+    keep_joining_cuts(borders.sides, cuts);
+    if (cuts.empty()) return place_of;
     const Places places(place_of, triangles);
     std::vector<Triangle> result;
     result.reserve(triangles.size() + 2 * cuts.size());
     for (const Triangle& t : triangles)
         cut_triangle(t, 7, places, cuts, result);
     triangles = std::move(result);
+    return place_of;
 }
 
 std::vector<std::uint32_t> stitch_cuts(const std::vector<Vector3d>& positions,

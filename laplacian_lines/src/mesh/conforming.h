@@ -27,18 +27,18 @@ bool is_closed(const std::vector<Triangle>& triangles);
 /// Edges with one side.
 std::vector<Edge> border_edges(const std::vector<Triangle>& triangles, std::size_t vertices);
 
-/// Resolves T-junctions, as CAD programs leave them: cuts triangles on borders where vertices of
-/// other borders lie on their sides, within the precision of the coordinates, if one of the parts
-/// is a side of another triangle. Neither adds nor moves vertices. `place_of`:
-/// first_equal_positions().
-void make_conforming(const std::vector<Eigen::Vector3d>& positions,
-                     const std::vector<std::uint32_t>& place_of, std::vector<Triangle>& triangles);
+/// Joins a surface at its cracks and T-junctions, as CAD programs and scanners leave them: returns
+/// for each vertex the first one at its place, which at borders need not be the same position, and
+/// cuts triangles on borders where vertices of other borders lie on their sides, if one of the
+/// parts is a side of another triangle. Neither adds nor moves vertices.
+std::vector<std::uint32_t> make_conforming(const std::vector<Eigen::Vector3d>& positions,
+                                           std::vector<Triangle>& triangles);
 
 /// Closes cuts: at texture seams and in triangle soups, triangles that meet have vertices of their
-/// own at equal positions. Merges pairs of borders that run between the same positions, where no
+/// own at one place. Merges pairs of borders that run between the same places, where no
 /// third one does; holes, and surfaces that touch or lie on each other, stay. Returns the
 /// representative of each vertex, that with the smallest number; nothing if all represent
-/// themselves. `place_of`: first_equal_positions(). `triangles` have an area.
+/// themselves. `place_of`: see make_conforming(). `triangles` have an area.
 std::vector<std::uint32_t> stitch_cuts(const std::vector<Eigen::Vector3d>& positions,
                                        const std::vector<std::uint32_t>& place_of,
                                        const std::vector<Triangle>& triangles);

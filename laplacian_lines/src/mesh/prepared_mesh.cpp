@@ -18,7 +18,6 @@
 #include "laplacian_lines/error.h"
 #include "mesh/bounding_box.h"
 #include "mesh/conforming.h"
-#include "mesh/equal_positions.h"
 #include "mesh/flat_faces.h"
 #include "mesh/needles.h"
 #include "mesh/orientation.h"
@@ -231,8 +230,7 @@ Eigen::Vector3d area_vector(const PreparedMesh& mesh, const Triangle& t) {
 std::vector<Triangle> conforming_triangles(const TriangleMesh& mesh) {
     check_indices(mesh);
     std::vector<Triangle> triangles = usable_triangles(mesh.positions, mesh.triangles);
-    if (!is_closed(triangles))
-        make_conforming(mesh.positions, first_equal_positions(mesh.positions), triangles);
+    make_conforming(mesh.positions, triangles);
     return triangles;
 }
 
@@ -246,8 +244,8 @@ PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const UndoLim
     expect_surface(prepared.triangles);
     prepared.report.degenerate_triangles = mesh.triangles.size() - prepared.triangles.size();
     if (!is_closed(prepared.triangles)) {
-        const std::vector<std::uint32_t> place_of = first_equal_positions(mesh.positions);
-        make_conforming(mesh.positions, place_of, prepared.triangles);
+        const std::vector<std::uint32_t> place_of =
+            make_conforming(mesh.positions, prepared.triangles);
         if (cuts == Cuts::Stitched) stitch(mesh, place_of, prepared);
     }
     undo_subdivisions(mesh.positions, undoing, prepared);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the edges of a surface are found, see find_edges():
-//  1. Merge equal vertices, unfold needles, drop triangles without height and duplicates.
-//  2. Merge border vertices within the precision of each other.
-//  3. Find where triangles intersect (cuts) or touch (vertices on edges).
-//  4. Merge ends of cuts with the vertices that they coincide with; find vertices on cuts; move
+//  1. Merge equal vertices, also across cracks; unfold needles, drop triangles without height and
+//     duplicates.
+//  2. Find where triangles intersect (cuts) or touch (vertices on edges).
+//  3. Merge ends of cuts with the vertices that they coincide with; find vertices on cuts; move
 //     vertices on edges onto them.
-//  5. Divide sides of triangles and cuts at the vertices on them, and group them by edge
+//  4. Divide sides of triangles and cuts at the vertices on them, and group them by edge
 //     (edge_building.h).
 #include "visibility/visibility_mesh.h"
 
@@ -19,7 +19,6 @@
 #include "mesh/bounding_box.h"
 #include "mesh/box_tree.h"
 #include "mesh/conforming.h"
-#include "mesh/equal_positions.h"
 #include "mesh/needles.h"
 #include "system/disjoint_sets.h"
 #include "system/equal_elements.h"
@@ -31,7 +30,6 @@ namespace {
 
 using Eigen::Vector3d;
 using Contact = SurfaceContacts::OnEdge;
-using Pair = std::array<std::uint32_t, 2>;  // of vertices
 
 /// Whether all corners are. @throws Error: InvalidMesh
 bool is_finite(const TriangleMesh& mesh, const Triangle& t) {
@@ -87,25 +85,6 @@ void drop_triangles(VisibilityMesh& mesh) {
         mesh, [&](std::uint32_t t) { return height_of(mesh, mesh.triangles[t]) > mesh.precision; });
     const std::vector<std::uint32_t> first = first_equal_triangles(mesh.triangles);
     keep_triangles(mesh, [&](std::uint32_t t) { return first[t] == t; });
-}
-
-/// Merges border vertices within the precision of each other. Returns whether there were any.
-bool weld_borders(const std::vector<bool>& on_border, VisibilityMesh& mesh) {
-    const VertexLookup places(mesh, [&](std::uint32_t v) { return on_border[v]; });
-    const auto find = [&](std::uint32_t v, std::vector<Pair>& pairs) {
-        if (!on_border[v]) return;
-        places.visit_at(mesh.positions[v], mesh.precision, [&](std::uint32_t other) {
-            if (other < v) pairs.push_back({v, other});
-        });
-    };
-    const auto pairs = collect<Pair>(mesh.positions.size(), find);
-    if (pairs.empty()) return false;
-    DisjointSets sets(mesh.positions.size());
-    for (const auto& [a, b] : pairs)
-        sets.unite(a, b);
-    replace_vertices(sets.take_roots(), mesh);
-    drop_triangles(mesh);
-    return true;
 }
 
 /// Calls visit(triangle) for those that pass within the precision of a straight line.
@@ -211,21 +190,20 @@ void straighten(const std::vector<Contact>& on_edges, VisibilityMesh& mesh) {
 
 /// The steps above.
 void find_edges(VisibilityMesh& mesh, const StageProgress& stage) {
-    replace_vertices(first_equal_positions(mesh.positions), mesh);  // 1
+    replace_vertices(make_conforming(mesh.positions, mesh.triangles), mesh);  // 1
     unfold_needles(mesh.positions, mesh.triangles);
     drop_triangles(mesh);
     stage.report(0.3);
-    std::vector<bool> on_border = border_vertices(mesh);  // 2
-    if (weld_borders(on_border, mesh)) on_border = border_vertices(mesh);
+    const std::vector<bool> on_border = border_vertices(mesh);
     const auto corners = std::uint32_t(mesh.positions.size());
-    SurfaceContacts contacts = find_surface_contacts(mesh, on_border, stage.part(0.4, 0.9));  // 3
-    if (!contacts.cuts.empty()) {                                                             // 4
+    SurfaceContacts contacts = find_surface_contacts(mesh, on_border, stage.part(0.4, 0.9));  // 2
+    if (!contacts.cuts.empty()) {                                                             // 3
         weld_ends(corners, mesh, contacts);
         find_on_cuts(mesh, contacts);
     }
     std::sort(contacts.on_edges.begin(), contacts.on_edges.end());
     straighten(contacts.on_edges, mesh);
-    build_edges(contacts, mesh);  // 5
+    build_edges(contacts, mesh);  // 4
     stage.report(1);
 }
 
