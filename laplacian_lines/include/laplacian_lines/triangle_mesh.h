@@ -19,9 +19,9 @@ struct TriangleMesh {
     std::vector<Triangle> triangles;         ///< [T], indices into positions
 };
 
-/// The usable triangles, with T-junctions resolved as by precompute() and LineExtractor: triangles
-/// on borders are cut where vertices of other borders lie on their sides, so that surfaces which
-/// are closed but for these share all edges. Vertices stay.
+/// The usable triangles, with cracks and T-junctions resolved as by precompute() and LineExtractor:
+/// triangles on borders are cut where vertices of other borders lie on their sides, and share
+/// vertices, so that surfaces which are closed but for these share all edges. Vertices stay.
 /// @throws Error(InvalidMesh)
 std::vector<Triangle> conforming_triangles(const TriangleMesh& mesh);
 

@@ -230,7 +230,11 @@ Eigen::Vector3d area_vector(const PreparedMesh& mesh, const Triangle& t) {
 std::vector<Triangle> conforming_triangles(const TriangleMesh& mesh) {
     check_indices(mesh);
     std::vector<Triangle> triangles = usable_triangles(mesh.positions, mesh.triangles);
-    make_conforming(mesh.positions, triangles);
+    const std::vector<std::uint32_t> place_of = make_conforming(mesh.positions, triangles);
+    for_each_element(triangles.size(), [&](std::size_t t) {
+        for (std::uint32_t& v : triangles[t])
+            v = place_of[v];
+    });
     return triangles;
 }
 
