@@ -16,6 +16,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "mesh/bounding_box.h"
@@ -79,8 +80,8 @@ struct Borders {
     Vector3d local(std::uint32_t v) const { return (positions[v] - box.center()) / size(); }
 };
 
-/// Makes those of `place_of` that are nearly at one place one.
-void join_places(const Borders& borders, std::vector<std::uint32_t>& place_of) {
+/// Makes those of `place_of` that are nearly at one place one. Returns whether there were any.
+bool join_places(const Borders& borders, std::vector<std::uint32_t>& place_of) {
     const std::vector<std::uint32_t> ends = ends_of(borders.sides);
     const auto tree = BoxTree<3>::along_curve(ends.size(), local_box(), [&](std::uint32_t i) {
         const Vector3d at = borders.local(ends[i]);
@@ -98,13 +99,14 @@ void join_places(const Borders& borders, std::vector<std::uint32_t>& place_of) {
             });
     };
     const auto pairs = collect<Edge>(ends.size(), find);
-    if (pairs.empty()) return;
+    if (pairs.empty()) return false;
     DisjointSets sets(place_of.size());
     for (const auto& [a, b] : pairs)
         sets.unite(a, b);
     const std::vector<std::uint32_t> roots = sets.take_roots();
     for (std::uint32_t& place : place_of)
         place = roots[place];
+    return true;
 }
 
 Cuts find_cuts(const Borders& borders) {
@@ -318,13 +320,11 @@ std::vector<std::uint32_t> make_conforming(const std::vector<Vector3d>& position
                                            std::vector<Triangle>& triangles) {
     std::vector<std::uint32_t> place_of = first_equal_positions(positions);
     if (is_closed(triangles)) return place_of;
-    const Borders apart(positions, with_places(triangles, place_of));
-    if (apart.sides.empty()) return place_of;
-    join_places(apart, place_of);
-    const Borders borders(positions, with_places(triangles, place_of));
-    if (borders.sides.empty()) return place_of;
-    Cuts cuts = find_cuts(borders);
-    keep_joining_cuts(borders.sides, cuts);
+    std::optional<Borders> borders(std::in_place, positions, with_places(triangles, place_of));
+    if (join_places(*borders, place_of))
+        borders.emplace(positions, with_places(triangles, place_of));
+    Cuts cuts = find_cuts(*borders);
+    keep_joining_cuts(borders->sides, cuts);
     if (cuts.empty()) return place_of;
     const Places places(place_of, triangles);
     std::vector<Triangle> result;

@@ -37,9 +37,10 @@ Vector3d across(const Positions& positions, std::uint32_t a, std::uint32_t b, st
 }
 
 bool is_needle(const Positions& positions, const Triangle& t) {
-    const auto [a, b, v] = from_longest(positions, t);
-    const double most = std::min(kNeedle, kSlender * (positions[b] - positions[a]).norm());
-    return across(positions, a, b, v).squaredNorm() < most * most;
+    const Vector3d u = positions[t[1]] - positions[t[0]], v = positions[t[2]] - positions[t[0]];
+    const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
+    const double most = std::min(kNeedle * kNeedle, kSlender * kSlender * longest);
+    return u.cross(v).squaredNorm() < most * longest;
 }
 
 bool has_three_corners(const Triangle& t) {
