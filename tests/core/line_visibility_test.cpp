@@ -54,6 +54,39 @@ LineParts contours_of(const TriangleMesh& mesh, const View& view) {
     return LineVisibility(mesh).parts(view, {}, {helpers::all_contours().shows, 1.2, true});
 }
 
+/// Two halves, between which coordinates are off by what floats have there.
+TriangleMesh far_ball(bool has_crack) {
+    const TriangleMesh ball = moved(test_meshes::sphere(4).mesh, {17000, 17000, 17000}, 5);
+    TriangleMesh halves = ball;
+    halves.positions.insert(halves.positions.end(), ball.positions.begin(), ball.positions.end());
+    const auto count = std::uint32_t(ball.positions.size());
+    for (Vector3d& p : halves.positions)
+        p = p.cast<float>().cast<double>();
+    for (Triangle& t : halves.triangles) {
+        const Vector3d centre =
+            (ball.positions[t[0]] + ball.positions[t[1]] + ball.positions[t[2]]) / 3;
+        if (centre.x() > 17000)
+            for (std::uint32_t& v : t)
+                v += count;
+    }
+    for (std::uint32_t v = count; has_crack && v < 2 * count; ++v)
+        halves.positions[v].y() += (int(v % 3) - 1) * 0x1p-9;  // a unit in the last place
+    return halves;
+}
+
+TEST(LineVisibility, HasNoContoursAlongCracksOfRounding) {
+    const auto length = [](bool has_crack) {
+        double sum = 0;
+        for (const ViewLine& line :
+             LineVisibility(far_ball(has_crack))
+                 .visible_lines(kAslant, {}, {helpers::all_contours().shows}))
+            for (std::size_t i = 1; i < line.points.size(); ++i)
+                sum += (line.points[i].position - line.points[i - 1].position).norm();
+        return sum;
+    };
+    EXPECT_NEAR(length(true), length(false), 0.01 * length(false));
+}
+
 bool is_in_front(const LineSet& lines, const Polyline& line) {
     return lines.points[line.first].position.z() > -2;
 }

@@ -21,6 +21,24 @@ using test_meshes::inside_out;
 using test_meshes::mesh_named;
 using test_meshes::subdivided;
 
+TEST(Cracks, DoNotRunOnFromOneToTheNext) {
+    const double crack = 5e-5 * std::sqrt(8);  // of the diagonal of a plane
+    TriangleMesh sheets;
+    for (int i = 0; i < 60; ++i)
+        append(sheets, test_meshes::moved(test_meshes::plane(2), {0, 0, 0.8 * crack * i}));
+    const std::vector<Triangle> joined = conforming_triangles(sheets);
+    ASSERT_EQ(joined.size(), sheets.triangles.size());
+    int moved = 0;
+    for (std::size_t t = 0; t < joined.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double distance =
+                (sheets.positions[joined[t][k]] - sheets.positions[sheets.triangles[t][k]]).norm();
+            EXPECT_LE(distance, crack);
+            moved += distance > 0;
+        }
+    EXPECT_GT(moved, 0);
+}
+
 struct DirtyTorus {
     TriangleMesh clean = test_meshes::torus(40, 20, 0.2).mesh;
     std::vector<std::uint32_t> clean_vertex;

@@ -96,6 +96,20 @@ TEST(SeveralObjects, EachHasItsOwnWallInSections) {
     EXPECT_EQ(areas, 2);
 }
 
+TEST(SeveralObjects, HaveOtherHatchingThanNeighbours) {
+    SheetOptions options = plain_views("top");
+    options.views.clear();
+    options.sections = parse_sections("z=0.1");
+    const TriangleMesh cube = cube_of100();
+    const TriangleMesh right = moved(cube, {100, 0, 0}), above = moved(cube, {0, 0, 150}),
+                       apart = moved(cube, {-150, 0, 0});
+    for (const auto& objects : {std::vector{cube, above, right}, {cube, apart, above, right}}) {
+        const auto [rising, falling] = hatching_of(sheet_of_all(objects, options).groups[0]);
+        EXPECT_GT(rising, 80);
+        EXPECT_GT(falling, 80);
+    }
+}
+
 /// Overlapping cubes are one body with one hatching.
 TEST(SeveralObjects, ThatOverlapHaveOneWallInSections) {
     SheetOptions options = plain_views("top");

@@ -96,20 +96,19 @@ TEST(Thinning, LeavesWhiteBesideOutlinesAndEdgesWhichStay) {
     }
 }
 
-std::vector<double> heights_of(const std::vector<DrawnLine>& lines) {
-    std::vector<double> heights;
-    for (const DrawnLine& line : lines)
-        heights.push_back(line.points[0].position.y());
-    std::sort(heights.begin(), heights.end());
-    return heights;
-}
-
 TEST(Thinning, LeavesWhiteBetweenCrowdedEdges) {
     const auto left = [&](int count, double distance) {
-        std::vector<DrawnLine> edges;
+        std::vector<DrawnLine> lines;
+        for (const double x : {0., 4.})  // which they lead from one to the other
+            lines.push_back(straight({x, -1}, {x, 4}, 1, LineClass::Outline));
         for (int i = 0; i < count; ++i)
-            edges.push_back(straight({0, distance * i}, {20, distance * i}, 1, LineClass::Edge));
-        return heights_of(thin_out(edges, kPens));
+            lines.push_back(straight({0, distance * i}, {4, distance * i}, 1, LineClass::Edge));
+        lines = thin_out(lines, kPens);
+        std::vector<double> heights;
+        for (const DrawnLine& line : lines)
+            if (line.line_class == LineClass::Edge) heights.push_back(line.points[0].position.y());
+        std::sort(heights.begin(), heights.end());
+        return heights;
     };
     EXPECT_EQ(left(2, 0.26).size(), 2u);  // a chamfer
     EXPECT_EQ(left(9, 0.38).size(), 9u);

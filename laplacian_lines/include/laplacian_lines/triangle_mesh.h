@@ -32,7 +32,7 @@ struct MeshReport {
     std::size_t non_finite_vertices = 0;    ///< a coordinate is NaN or infinite
     std::size_t unreferenced_vertices = 0;  ///< finite, but in no usable triangle
     std::size_t degenerate_triangles = 0;   ///< zero area, repeated or non-finite corners
-    std::size_t welded_vertices = 0;        ///< merged with another one at the same position
+    std::size_t welded_vertices = 0;        ///< merged with another one at a cut or crack
     /// Midpoint subdivisions (all triangles cut in four at the middles of their sides) that were
     /// undone: lines are those of the mesh before.
     int undone_subdivisions = 0;

@@ -42,7 +42,7 @@ constexpr double kLargestRoughness = 0.5;
 
 /// MeshReport::roughness, from unsmoothed vertex normals: the larger of noise (vertex_noise()) and
 /// of terraces, in units of what automatic_normal_sigma() smooths; of CAD meshes that of terraces,
-/// and 0 of those with large triangles.
+/// and 0 of those whose triangles are uneven.
 /// Mean edges are multiplied by relative_sizes[v].
 double measure_roughness(const PreparedMesh& mesh, const VertexRanges& ranges,
                          const SpatialTree& tree, const std::vector<float>& relative_sizes,

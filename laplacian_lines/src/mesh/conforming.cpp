@@ -16,7 +16,9 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "mesh/bounding_box.h"
@@ -35,9 +37,7 @@ using Eigen::Vector3d;
 constexpr double kPrecision = 0x1p-22;
 // Of the diagonal: with coarser coordinates all vertices would count as one.
 constexpr double kWorstPrecision = 1e-3;
-// Of the diagonal: patches of CAD programs and pieces of scans are as far apart; on paper that is a
-// fiftieth of a pen. Of the shortest side at a vertex, so that none collapses.
-constexpr double kCrack = 5e-5, kCrackOfSide = 0.25;
+constexpr double kCrackOfSide = 0.25;  // of the shortest at a vertex, so that none collapses
 
 /// Cuts of sides: the vertices on each, from its first end to its second.
 using Cuts = std::map<Edge, std::vector<std::uint32_t>>;
@@ -57,20 +57,19 @@ struct Borders {
     const std::vector<Vector3d>& positions;
     std::vector<Edge> sides;
     Eigen::AlignedBox3d box;
-    double precision = 0;
-    std::vector<float> cracks;  ///< by vertex: how far from another one at the same place
+    std::vector<float> cracks;  ///< by vertex: how near another one counts as at its place
 
-    Borders(const std::vector<Vector3d>& all, const std::vector<Triangle>& triangles)
+    Borders(const std::vector<Vector3d>& all, const Nearness& near,
+            const std::vector<Triangle>& triangles)
         : positions(all), sides(border_edges(triangles, all.size())) {
         if (sides.empty()) return;
         box = bounding_box(positions, triangles);
-        precision = precision_of(positions, triangles, size()).of_coordinates;
-        cracks.assign(positions.size(), float(std::max(precision, kCrack * size())));
+        cracks.assign(positions.size(), float(std::max(near.precision, near.crack)));
         for (const Triangle& t : triangles)
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::uint32_t a = t[k], b = t[(k + 1) % 3];
-                const auto most =
-                    float(std::max(precision, kCrackOfSide * (positions[b] - positions[a]).norm()));
+                const double length = (positions[b] - positions[a]).norm();
+                const auto most = float(std::max(near.precision, kCrackOfSide * length));
                 cracks[a] = std::min(cracks[a], most);
                 cracks[b] = std::min(cracks[b], most);
             }
@@ -78,35 +77,39 @@ struct Borders {
 
     double size() const { return box.diagonal().norm(); }
     Vector3d local(std::uint32_t v) const { return (positions[v] - box.center()) / size(); }
+    Eigen::AlignedBox3f place(std::uint32_t v) const {
+        return Eigen::AlignedBox3f(local(v).cast<float>().eval());
+    }
 };
 
-/// Makes those of `place_of` that are nearly at one place one. Returns whether there were any.
+/// Makes those of `place_of` that are nearly at one place the first of them, which has none before
+/// it: places do not run on from one to the next. Returns whether there were any.
 bool join_places(const Borders& borders, std::vector<std::uint32_t>& place_of) {
     const std::vector<std::uint32_t> ends = ends_of(borders.sides);
     const auto tree = BoxTree<3>::along_curve(ends.size(), local_box(), [&](std::uint32_t i) {
         const Vector3d at = borders.local(ends[i]);
         return box_around(at, at, double(borders.cracks[ends[i]]) / borders.size());
     });
-    const auto find = [&](std::uint32_t i, std::vector<Edge>& found) {
+    using Pair = std::tuple<std::uint32_t, double, std::uint32_t>;  // the second nearest first
+    const auto find = [&](std::uint32_t i, std::vector<Pair>& found) {
         const std::uint32_t v = ends[i];
-        tree.visit(
-            Eigen::AlignedBox3f(borders.local(v).cast<float>().eval()), [&](std::uint32_t k) {
-                const std::uint32_t other = ends[k];
-                const auto crack = double(std::min(borders.cracks[v], borders.cracks[other]));
-                if (other < v && (borders.positions[v] - borders.positions[other]).norm() <= crack)
-                    found.push_back({other, v});
-                return true;
-            });
+        tree.visit(borders.place(v), [&](std::uint32_t k) {
+            const std::uint32_t other = ends[k];
+            const double distance = (borders.positions[v] - borders.positions[other]).norm();
+            if (other < v && distance <= double(std::min(borders.cracks[v], borders.cracks[other])))
+                found.emplace_back(v, distance, other);
+            return true;
+        });
     };
-    const auto pairs = collect<Edge>(ends.size(), find);
-    if (pairs.empty()) return false;
-    DisjointSets sets(place_of.size());
-    for (const auto& [a, b] : pairs)
-        sets.unite(a, b);
-    const std::vector<std::uint32_t> roots = sets.take_roots();
+    auto pairs = collect<Pair>(ends.size(), find);
+    std::sort(pairs.begin(), pairs.end());
+    std::vector<std::uint32_t> first(place_of.size());
+    std::iota(first.begin(), first.end(), 0u);
+    for (const auto& [v, distance, other] : pairs)
+        if (first[v] == v && first[other] == other) first[v] = other;
     for (std::uint32_t& place : place_of)
-        place = roots[place];
-    return true;
+        place = first[place];
+    return !pairs.empty();
 }
 
 Cuts find_cuts(const Borders& borders) {
@@ -123,13 +126,12 @@ Cuts find_cuts(const Borders& borders) {
     using Found = std::pair<std::uint32_t, std::uint32_t>;  // side, vertex
     const auto find = [&](std::uint32_t i, std::vector<Found>& found) {
         const std::uint32_t v = ends[i];
-        tree.visit(Eigen::AlignedBox3f(borders.local(v).cast<float>().eval()),
-                   [&](std::uint32_t s) {
-                       const double crack = std::min(crack_at(sides[s]), double(borders.cracks[v]));
-                       if (lies_between(positions, v, sides[s][0], sides[s][1], crack))
-                           found.emplace_back(s, v);
-                       return true;
-                   });
+        tree.visit(borders.place(v), [&](std::uint32_t s) {
+            const double crack = std::min(crack_at(sides[s]), double(borders.cracks[v]));
+            if (lies_between(positions, v, sides[s][0], sides[s][1], crack))
+                found.emplace_back(s, v);
+            return true;
+        });
     };
     Cuts cuts;
     for (const auto& [s, v] : collect<Found>(ends.size(), find))
@@ -230,15 +232,6 @@ std::vector<std::uint32_t> sides_at_borders(const std::vector<Triangle>& triangl
     });
 }
 
-std::vector<Triangle> with_places(std::vector<Triangle> triangles,
-                                  const std::vector<std::uint32_t>& place_of) {
-    for_each_element(triangles.size(), [&](std::size_t t) {
-        for (std::uint32_t& v : triangles[t])
-            v = place_of[v];
-    });
-    return triangles;
-}
-
 /// The two sides of each edge between positions that has two, on different edges between vertices.
 std::vector<std::array<std::uint32_t, 2>> find_seams(const std::vector<Triangle>& triangles,
                                                      const std::vector<Triangle>& at_places,
@@ -269,6 +262,15 @@ bool are_on_each_other(const std::vector<Vector3d>& positions,
 }
 
 }  // namespace
+
+std::vector<Triangle> with_places(std::vector<Triangle> triangles,
+                                  const std::vector<std::uint32_t>& by) {
+    for_each_element(triangles.size(), [&](std::size_t t) {
+        for (std::uint32_t& v : triangles[t])
+            v = by[v];
+    });
+    return triangles;
+}
 
 bool lies_between(const std::vector<Vector3d>& positions, std::uint32_t vertex, std::uint32_t from,
                   std::uint32_t to, double within) {
@@ -316,13 +318,19 @@ std::vector<Edge> border_edges(const std::vector<Triangle>& triangles, std::size
     return concatenate(visit_edges<std::vector<Edge>>(open.size(), vertices, of, add));
 }
 
+Nearness nearness_of(const std::vector<Vector3d>& positions,
+                     const std::vector<Triangle>& triangles) {
+    const double size = bounding_box(positions, triangles).diagonal().norm();
+    return {precision_of(positions, triangles, size).of_coordinates, kCrack * size};
+}
+
 std::vector<std::uint32_t> make_conforming(const std::vector<Vector3d>& positions,
-                                           std::vector<Triangle>& triangles) {
+                                           const Nearness& near, std::vector<Triangle>& triangles) {
     std::vector<std::uint32_t> place_of = first_equal_positions(positions);
-    if (is_closed(triangles)) return place_of;
-    std::optional<Borders> borders(std::in_place, positions, with_places(triangles, place_of));
+    std::optional<Borders> borders(std::in_place, positions, near,
+                                   with_places(triangles, place_of));
     if (join_places(*borders, place_of))
-        borders.emplace(positions, with_places(triangles, place_of));
+        borders.emplace(positions, near, with_places(triangles, place_of));
     Cuts cuts = find_cuts(*borders);
     keep_joining_cuts(borders->sides, cuts);
     if (cuts.empty()) return place_of;

@@ -9,6 +9,10 @@
 
 namespace laplacian_lines {
 
+/// The triangles with each corner v replaced by by[v].
+std::vector<Triangle> with_places(std::vector<Triangle> triangles,
+                                  const std::vector<std::uint32_t>& by);
+
 /// Whether a vertex is within a distance of the line between two others, but not of these.
 bool lies_between(const std::vector<Eigen::Vector3d>& positions, std::uint32_t vertex,
                   std::uint32_t from, std::uint32_t to, double within);
@@ -27,12 +31,24 @@ bool is_closed(const std::vector<Triangle>& triangles);
 /// Edges with one side.
 std::vector<Edge> border_edges(const std::vector<Triangle>& triangles, std::size_t vertices);
 
+/// Of the diagonal: patches of CAD programs and pieces of scans are as far apart; on paper that is
+/// a fiftieth of a pen.
+constexpr double kCrack = 5e-5;
+
+/// Distances within which vertices of borders count as at one place, in the unit of the
+/// coordinates.
+struct Nearness {
+    double precision, crack;  ///< the second less where sides are short
+};
+Nearness nearness_of(const std::vector<Eigen::Vector3d>& positions,
+                     const std::vector<Triangle>& triangles);
+
 /// Joins a surface at its cracks and T-junctions, as CAD programs and scanners leave them: returns
 /// for each vertex the first one at its place, which at borders need not be the same position, and
 /// cuts triangles on borders where vertices of other borders lie on their sides, if one of the
 /// parts is a side of another triangle. Neither adds nor moves vertices.
 std::vector<std::uint32_t> make_conforming(const std::vector<Eigen::Vector3d>& positions,
-                                           std::vector<Triangle>& triangles);
+                                           const Nearness& near, std::vector<Triangle>& triangles);
 
 /// Closes cuts: at texture seams and in triangle soups, triangles that meet have vertices of their
 /// own at one place. Merges pairs of borders that run between the same places, where no

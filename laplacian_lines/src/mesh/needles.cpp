@@ -38,9 +38,9 @@ Vector3d across(const Positions& positions, std::uint32_t a, std::uint32_t b, st
 
 bool is_needle(const Positions& positions, const Triangle& t) {
     const Vector3d u = positions[t[1]] - positions[t[0]], v = positions[t[2]] - positions[t[0]];
-    const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
-    const double most = std::min(kNeedle * kNeedle, kSlender * kSlender * longest);
-    return u.cross(v).squaredNorm() < most * longest;
+    const double square = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
+    const double squared_height = u.cross(v).squaredNorm() / square;
+    return squared_height < std::min(kNeedle * kNeedle, kSlender * kSlender * square);
 }
 
 bool has_three_corners(const Triangle& t) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The usable part of a mesh:
 //  1. Triangles without an area, or with corners that are not finite, are dropped.
-//  2. T-junctions are cut, and duplicated vertices welded where they cut the surface open.
+//  2. T-junctions are cut, and vertices at one place, or across a crack, welded where they cut the
+//     surface open.
 //  3. Subdivisions at the middles of edges are undone.
 //  4. Used vertices are kept, in coordinates around the bounding box's centre and in units of its
 //     diagonal D. Triangles that lose their area by rounding are dropped as well.
@@ -82,10 +83,7 @@ void stitch(const TriangleMesh& mesh, const std::vector<std::uint32_t>& place_of
     if (representative.empty()) return;
     for (std::uint32_t v = 0; v < representative.size(); ++v)
         prepared.report.welded_vertices += representative[v] != v;
-    for_each_element(prepared.triangles.size(), [&](std::size_t t) {
-        for (std::uint32_t& v : prepared.triangles[t])
-            v = representative[v];
-    });
+    prepared.triangles = with_places(std::move(prepared.triangles), representative);
 }
 
 double mean_edge(const Positions& positions, const std::vector<Triangle>& triangles) {
@@ -144,10 +142,7 @@ void keep_used_vertices(const TriangleMesh& mesh, PreparedMesh& prepared) {
     for_each_element(prepared.original_vertex.size(), [&](std::size_t i) {
         number[prepared.original_vertex[i]] = std::uint32_t(i);
     });
-    for_each_element(prepared.triangles.size(), [&](std::size_t t) {
-        for (std::uint32_t& v : prepared.triangles[t])
-            v = number[v];
-    });
+    prepared.triangles = with_places(std::move(prepared.triangles), number);
 }
 
 void check_size(double diagonal) {
@@ -230,12 +225,9 @@ Eigen::Vector3d area_vector(const PreparedMesh& mesh, const Triangle& t) {
 std::vector<Triangle> conforming_triangles(const TriangleMesh& mesh) {
     check_indices(mesh);
     std::vector<Triangle> triangles = usable_triangles(mesh.positions, mesh.triangles);
-    const std::vector<std::uint32_t> place_of = make_conforming(mesh.positions, triangles);
-    for_each_element(triangles.size(), [&](std::size_t t) {
-        for (std::uint32_t& v : triangles[t])
-            v = place_of[v];
-    });
-    return triangles;
+    const std::vector<std::uint32_t> place_of =
+        make_conforming(mesh.positions, nearness_of(mesh.positions, triangles), triangles);
+    return with_places(std::move(triangles), place_of);
 }
 
 PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const UndoLimits& undoing,
@@ -248,8 +240,8 @@ PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const UndoLim
     expect_surface(prepared.triangles);
     prepared.report.degenerate_triangles = mesh.triangles.size() - prepared.triangles.size();
     if (!is_closed(prepared.triangles)) {
-        const std::vector<std::uint32_t> place_of =
-            make_conforming(mesh.positions, prepared.triangles);
+        const std::vector<std::uint32_t> place_of = make_conforming(
+            mesh.positions, nearness_of(mesh.positions, prepared.triangles), prepared.triangles);
         if (cuts == Cuts::Stitched) stitch(mesh, place_of, prepared);
     }
     undo_subdivisions(mesh.positions, undoing, prepared);

@@ -54,8 +54,9 @@ const std::vector<OptionRow<PrecomputeOptions>>& precompute_option_table() {
             "wall do not affect each other."),
         boolean<&O::weld_duplicates>(
             "weld_duplicates", "Weld Duplicated Vertices",
-            "Vertices at exactly the same place count as one where they cut the surface open, as "
-            "in texture seams. The mesh is not changed; holes stay open."),
+            "Vertices at one place count as one where they cut the surface open, as in texture "
+            "seams; also across cracks of up to .005 % of the diagonal. The mesh is not changed; "
+            "holes stay open."),
         boolean<&O::curvature_derivatives>(
             "curvature_derivatives", "Curvature Derivatives",
             "Compute smoothed curvatures and their derivatives as well, for programs that read "

@@ -11,8 +11,8 @@
 
 namespace laplacian_lines {
 
-/// For each element the first equal one. Elements with one rare hash may equal nothing, not even
-/// themselves.
+/// For each element the first equal one. Elements that equal nothing, not even themselves, need
+/// hashes of their own: those of one hash are compared one by one.
 template <class HashOf, class Equal>
 std::vector<std::uint32_t> first_equals(std::size_t count, HashOf hash_of, Equal equal) {
     constexpr std::uint32_t kFree = 0xffffffffu;

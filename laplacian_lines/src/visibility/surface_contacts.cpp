@@ -23,9 +23,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-// In D: narrower gaps along borders are closed.
-constexpr double kCrack = 1e-5;
-
 /// Where a triangle's side meets another's plane: between the two vertices of `side`, ascending, or
 /// at one if both are equal.
 struct CutEnd {
@@ -100,23 +97,19 @@ int common_corners(const Triangle& a, const Triangle& b) {
 
 class PairTest {
 public:
-    PairTest(const VisibilityMesh& mesh, const std::vector<bool>& on_border)
-        : mesh_(mesh), on_border_(on_border), normals_(mesh.triangles.size()) {
+    explicit PairTest(const VisibilityMesh& mesh) : mesh_(mesh), normals_(mesh.triangles.size()) {
         for_each_element(normals_.size(),
                          [&](std::size_t t) { normals_[t] = mesh.normal(std::uint32_t(t)); });
     }
-
-    /// Distance within which triangles can meet.
-    double reach() const { return std::max(kCrack, mesh_.precision); }
 
     void test(std::uint32_t t, std::uint32_t other, Found& found) const {
         const Triangle &a = mesh_.triangles[t], &b = mesh_.triangles[other];
         if (common_corners(a, b) > 1) return;
         const Vector3d &n = normals_[t], &m = normals_[other];
         const Heights of_t(mesh_, a, m, mesh_.positions[b[0]]);
-        if (of_t.are_beside(reach(), a, b)) return;
+        if (of_t.are_beside(mesh_.precision, a, b)) return;
         const Heights of_other(mesh_, b, n, mesh_.positions[a[0]]);
-        if (of_other.are_beside(reach(), b, a)) return;
+        if (of_other.are_beside(mesh_.precision, b, a)) return;
         find_touching(a, of_t, b, found);
         find_touching(b, of_other, a, found);
         FoundCut cut;
@@ -135,19 +128,14 @@ private:
     void find_touching(const Triangle& corners, const Heights& heights, const Triangle& sides,
                        Found& found) const {
         for (std::size_t k = 0; k < 3; ++k) {
-            if (std::abs(heights.over[k]) > reach() || has_corner(sides, corners[k])) continue;
+            if (std::abs(heights.over[k]) > mesh_.precision || has_corner(sides, corners[k]))
+                continue;
             for (std::size_t s = 0; s < 3; ++s)
-                if (lies_on(corners[k], sides[s], sides[(s + 1) % 3]))
+                if (lies_between(mesh_.positions, corners[k], sides[s], sides[(s + 1) % 3],
+                                 mesh_.precision))
                     found.on_edges.push_back(
                         {edge_between(sides[s], sides[(s + 1) % 3]), corners[k]});
         }
-    }
-
-    /// Whether a vertex lies between two others.
-    bool lies_on(std::uint32_t vertex, std::uint32_t from, std::uint32_t to) const {
-        const bool are_borders = on_border_[vertex] && on_border_[from] && on_border_[to];
-        return lies_between(mesh_.positions, vertex, from, to,
-                            are_borders ? reach() : mesh_.precision);
     }
 
     static void add_along_edge(const Triangle& corners, const Heights& heights,
@@ -204,7 +192,6 @@ private:
     }
 
     const VisibilityMesh& mesh_;
-    const std::vector<bool>& on_border_;
     std::vector<Vector3d> normals_;  // by triangle
 };
 
@@ -213,16 +200,14 @@ void append(const std::vector<T>& from, std::vector<T>& to) {
     to.insert(to.end(), from.begin(), from.end());
 }
 
-Found find_pairs(const VisibilityMesh& mesh, const std::vector<bool>& on_border, BoxTree<3>& tree,
-                 const StageProgress& stage) {
-    const PairTest pair_test(mesh, on_border);
-    tree = BoxTree<3>::along_curve(mesh.triangles.size(), local_box(),
-                                   [&, reach = pair_test.reach() / 2](std::uint32_t t) {
-                                       Eigen::AlignedBox3d box;
-                                       for (const std::uint32_t v : mesh.triangles[t])
-                                           box.extend(mesh.positions[v]);
-                                       return box_around(box, reach);
-                                   });
+Found find_pairs(const VisibilityMesh& mesh, BoxTree<3>& tree, const StageProgress& stage) {
+    const PairTest pair_test(mesh);
+    tree = BoxTree<3>::along_curve(mesh.triangles.size(), local_box(), [&](std::uint32_t t) {
+        Eigen::AlignedBox3d box;
+        for (const std::uint32_t v : mesh.triangles[t])
+            box.extend(mesh.positions[v]);
+        return box_around(box, mesh.precision / 2);
+    });
     const std::vector<std::uint32_t>& order = tree.order();
     const std::vector<BoxTree<3>::Pair> pairs = tree.pairs();
     stage.report(0.3);
@@ -260,17 +245,9 @@ void add_cuts_along_edges(Found& found) {
 
 }  // namespace
 
-std::vector<bool> border_vertices(const VisibilityMesh& mesh) {
-    std::vector<bool> on_border(mesh.positions.size());
-    for (const Edge& edge : border_edges(mesh.triangles, mesh.positions.size()))
-        on_border[edge[0]] = on_border[edge[1]] = true;
-    return on_border;
-}
-
-SurfaceContacts find_surface_contacts(VisibilityMesh& mesh, const std::vector<bool>& on_border,
-                                      const StageProgress& stage) {
+SurfaceContacts find_surface_contacts(VisibilityMesh& mesh, const StageProgress& stage) {
     SurfaceContacts contacts;
-    Found found = find_pairs(mesh, on_border, contacts.triangles, stage);
+    Found found = find_pairs(mesh, contacts.triangles, stage);
     mesh.along_curve = contacts.triangles.order();
     add_cuts_along_edges(found);
     contacts.on_edges = std::move(found.on_edges);

@@ -32,14 +32,10 @@ struct SurfaceContacts {
     BoxTree<3> triangles;          ///< the mesh's, local
 };
 
-/// By vertex, whether it is on a border.
-std::vector<bool> border_vertices(const VisibilityMesh& mesh);
-
 /// Two triangles intersect if both have corners on both sides of the other's plane, farther off
 /// than the precision, or if one has an edge in it with triangles on both sides; the cut then has
 /// only the other, twice. Else they touch. Ends of cuts that are no corners become new vertices,
-/// each on an edge. Borders within kCrack of each other touch. @throws Error(Cancelled)
-SurfaceContacts find_surface_contacts(VisibilityMesh& mesh, const std::vector<bool>& on_border,
-                                      const StageProgress& stage);
+/// each on an edge. @throws Error(Cancelled)
+SurfaceContacts find_surface_contacts(VisibilityMesh& mesh, const StageProgress& stage);
 
 }  // namespace laplacian_lines

@@ -26,14 +26,6 @@ public:
         });
     }
 
-    /// Calls visit(vertex) for the vertices within `reach` of p.
-    template <class Visit>
-    void visit_at(const Eigen::Vector3d& p, double reach, Visit visit) const {
-        visit_along(p, p, reach, [&](std::uint32_t v) {
-            if ((positions_[v] - p).norm() <= reach) visit(v);
-        });
-    }
-
     /// Calls visit(vertex) for all vertices within `reach` of a straight line, some of them more
     /// than once.
     template <class Visit>

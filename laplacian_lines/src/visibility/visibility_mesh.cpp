@@ -72,13 +72,6 @@ std::vector<std::uint32_t> first_equal_triangles(const std::vector<Triangle>& tr
     });
 }
 
-/// Each corner v becomes by[v].
-void replace_vertices(const std::vector<std::uint32_t>& by, VisibilityMesh& mesh) {
-    for (Triangle& t : mesh.triangles)
-        for (std::uint32_t& v : t)
-            v = by[v];
-}
-
 /// Drops triangles without height, and all but one of those with the same corners.
 void drop_triangles(VisibilityMesh& mesh) {
     keep_triangles(
@@ -190,14 +183,15 @@ void straighten(const std::vector<Contact>& on_edges, VisibilityMesh& mesh) {
 
 /// The steps above.
 void find_edges(VisibilityMesh& mesh, const StageProgress& stage) {
-    replace_vertices(make_conforming(mesh.positions, mesh.triangles), mesh);  // 1
+    const std::vector<std::uint32_t> place_of =  // 1
+        make_conforming(mesh.positions, {mesh.precision, kCrack}, mesh.triangles);
+    mesh.triangles = with_places(std::move(mesh.triangles), place_of);
     unfold_needles(mesh.positions, mesh.triangles);
     drop_triangles(mesh);
     stage.report(0.3);
-    const std::vector<bool> on_border = border_vertices(mesh);
     const auto corners = std::uint32_t(mesh.positions.size());
-    SurfaceContacts contacts = find_surface_contacts(mesh, on_border, stage.part(0.4, 0.9));  // 2
-    if (!contacts.cuts.empty()) {                                                             // 3
+    SurfaceContacts contacts = find_surface_contacts(mesh, stage.part(0.4, 0.9));  // 2
+    if (!contacts.cuts.empty()) {                                                  // 3
         weld_ends(corners, mesh, contacts);
         find_on_cuts(mesh, contacts);
     }

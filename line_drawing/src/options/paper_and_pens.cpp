@@ -53,7 +53,8 @@ Pens finer(Pens pens, std::ptrdiff_t steps) {
     for (double& pen : pens) {
         const auto place = std::lower_bound(kPenSeries.begin(), kPenSeries.end(), pen);
         if (steps == 0 || place == kPenSeries.end()) continue;
-        pen = std::min(pen, *std::max(kPenSeries.begin(), place - steps));
+        const std::ptrdiff_t at = place - kPenSeries.begin();
+        pen = std::min(pen, kPenSeries[std::size_t(std::max<std::ptrdiff_t>(0, at - steps))]);
     }
     return pens;
 }

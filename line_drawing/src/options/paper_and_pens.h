@@ -18,7 +18,7 @@ std::optional<Eigen::Vector2d> paper_size(const std::string& name);
 /// Scales of drawings, largest first: 1:2 is 0.5.
 std::vector<double> usual_scales();
 
-/// Finer by so many steps of √2.
+/// Finer by so many steps of √2; pens above 2 mm stay.
 Pens finer(Pens pens, std::ptrdiff_t steps);
 
 /// Pens for a drawing whose largest view has this size on paper, mm: one or two steps finer if

@@ -10,6 +10,8 @@
 #include "planes/corners.h"
 #include "planes/hatching.h"
 #include "sections/section_marks.h"
+#include "strokes/drawn_lines.h"
+#include "strokes/refining.h"
 #include "strokes/strokes.h"
 
 namespace line_drawing {
@@ -23,7 +25,7 @@ constexpr double kContourSmoothing = 0.16;  // contours move by so much of the w
 constexpr double kInnerSmoothing = 0.6;     // inner lines by so much of their width
 constexpr double kLeastShare = 0.03;        // of the picture: least length of isolated lines
 constexpr double kHatchSpacing = 1.5, kHatchWidth = 0.5;  // mm; share of an inner line's width
-constexpr double kTouching = 0.1;                         // mm: nearer walls look like neighbours
+constexpr double kTouching = 0.1, kContactStep = 0.5;     // mm: nearer walls look like neighbours
 
 struct LayerName {
     const char *key, *name;
@@ -52,34 +54,54 @@ std::vector<MergedWalls> on_sheet(std::vector<MergedWalls> walls, const Placemen
     return walls;
 }
 
-Eigen::AlignedBox2d box_of(const MergedWalls& walls) {
-    Eigen::AlignedBox2d box;
-    for (const Wall& wall : walls)
-        for (const auto& loop : wall)
-            for (const Eigen::Vector2d& p : loop)
-                box.extend(p);
-    return box;
-}
+using Loop = std::vector<Eigen::Vector2d>;
 
-/// A wall has the direction opposite to that of the walls that it touches (ISO 128-3), or else to
-/// that of the wall before.
+/// A cut area of the section, with the direction of its hatching.
+struct HatchedWall {
+    std::vector<Loop> loops;  // as points at most kContactStep apart
+    DrawnLines edges{kContactStep};
+    Eigen::AlignedBox2d box;
+    double rise = -1;
+
+    explicit HatchedWall(const MergedWalls& walls) {
+        for (const Wall& wall : walls)
+            for (const Loop& loop : wall) {
+                loops.push_back(refine(loop, kContactStep));
+                edges.add(loop);
+                for (const Eigen::Vector2d& p : loop)
+                    box.extend(p);
+            }
+    }
+
+    /// The number of points that touch another wall.
+    std::size_t contacts_with(const HatchedWall& other) const {
+        const Eigen::Vector2d reach = Eigen::Vector2d::Constant(kTouching);
+        if (!box.intersects({other.box.min() - reach, other.box.max() + reach})) return 0;
+        std::size_t count = 0;
+        for (const Loop& loop : loops)
+            for (const Eigen::Vector2d& p : loop)
+                count += other.edges.is_near(p, std::size_t(-1), kTouching);
+        return count;
+    }
+};
+
+/// A wall has the direction opposite to that of the walls that it touches for longest (ISO 128-3),
+/// or else to that of the wall before.
 void add_hatching(const std::vector<MergedWalls>& walls, std::vector<DrawnLine>& lines) {
-    std::vector<std::pair<Eigen::AlignedBox2d, double>> hatched;  // with their directions' y
+    std::vector<HatchedWall> hatched;
     for (const MergedWalls& merged : walls) {
-        const Eigen::AlignedBox2d box = box_of(merged);
-        if (box.isEmpty()) continue;
+        HatchedWall wall(merged);
+        if (wall.loops.empty()) continue;
         double around = 0;
-        for (const auto& [other, rise] : hatched) {
-            const Eigen::AlignedBox2d common = other.intersection(box);
-            if (!common.isEmpty()) around += rise * common.diagonal().norm();
-        }
-        const double before = hatched.empty() ? 1 : hatched.back().second;
-        const double rise = (around != 0 ? around : before) > 0 ? -1 : 1;
-        for (const auto& ends : hatch(merged, Eigen::Vector2d(1, rise).normalized(), kHatchSpacing))
+        for (const HatchedWall& other : hatched)
+            around += other.rise * double(wall.contacts_with(other));
+        if (around == 0 && !hatched.empty()) around = hatched.back().rise;
+        wall.rise = around < 0 ? 1 : -1;
+        for (const auto& ends :
+             hatch(merged, Eigen::Vector2d(1, wall.rise).normalized(), kHatchSpacing))
             lines.push_back(
                 {LineClass::Fine, false, {{ends[0], kHatchWidth}, {ends[1], kHatchWidth}}});
-        const Eigen::Vector2d reach = Eigen::Vector2d::Constant(kTouching);
-        hatched.emplace_back(Eigen::AlignedBox2d(box.min() - reach, box.max() + reach), rise);
+        hatched.push_back(std::move(wall));
     }
 }
 
@@ -94,8 +116,6 @@ SheetPath filled(const Wall& loops, double tone = 0) {
     }
     return area;
 }
-
-using Loop = std::vector<Eigen::Vector2d>;
 
 /// Appends the corners from the first point to before the last one.
 void append_corners(const Loop& loop, std::size_t first, std::size_t last, Loop& corners) {

@@ -2,11 +2,11 @@
 #include "strokes/strokes.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
+#include <optional>
 
 #include "strokes/drawn_lines.h"
+#include "strokes/end_pairs.h"
 
 namespace line_drawing {
 namespace {
@@ -32,11 +32,6 @@ struct End {
     bool is_last;
     Vector2d position, outwards;
     double bend;  // radians to the left on the way out, over kBendReach, if it is an arc
-};
-
-struct Bond {
-    std::size_t ends[2];
-    double gap;
 };
 
 double angle_between(const Vector2d& from, const Vector2d& to) {
@@ -65,30 +60,30 @@ public:
             for (const bool is_last : {false, true})
                 ends_.push_back(end_of(i, is_last));
         }
-        partners_.assign(ends_.size(), none);
     }
 
     std::vector<DrawnLine> run() {
-        for (const Bond& bond : bonds())
-            if (partners_[bond.ends[0]] == none && partners_[bond.ends[1]] == none) {
-                partners_[bond.ends[0]] = bond.ends[1];
-                partners_[bond.ends[1]] = bond.ends[0];
-            }
+        std::vector<Vector2d> positions;
+        for (const End& end : ends_)
+            positions.push_back(end.position);
+        const auto cost = [this](std::size_t a, std::size_t b) {
+            return cost_of(ends_[a], ends_[b]);
+        };
         std::vector<DrawnLine> result;
         std::vector<bool> is_done(lines_.size(), false);
-        for (std::size_t e = 0; e < ends_.size(); ++e)  // from ends that nothing continues
-            if (partners_[e] == none && !is_done[ends_[e].line])
-                result.push_back(follow(e, is_done));
-        for (std::size_t e = 0; e < ends_.size(); ++e)  // rings
-            if (!is_done[ends_[e].line]) result.push_back(follow(e, is_done));
+        const auto join = [&](const std::vector<std::size_t>& way, bool is_ring) {
+            for (const std::size_t e : way)
+                is_done[ends_[e].line] = true;
+            result.push_back(way.size() == 1 && !is_ring ? std::move(lines_[ends_[way[0]].line])
+                                                         : joined(way, is_ring));
+        };
+        for_each_chain_of_ends(pair_ends(positions, kLongestGap * pen_, cost), join);
         for (std::size_t i = 0; i < lines_.size(); ++i)
             if (!is_done[i]) result.push_back(std::move(lines_[i]));
         return result;
     }
 
 private:
-    static constexpr std::size_t none = std::size_t(-1);
-
     End end_of(std::size_t i, bool is_last) const {
         const std::vector<DrawnPoint>& points = lines_[i].points;
         const Vector2d outwards = outwards_at(points, is_last, kTangentReach * pen_),
@@ -104,32 +99,6 @@ private:
     /// Whether an end is one of the form, too: a contour along sharp edges.
     bool is_edge(const End& end) const {
         return is_contour(end) && !is_curved_contour(lines_[end.line]);
-    }
-
-    /// Pairs of ends that continue each other, best first.
-    std::vector<Bond> bonds() const {
-        std::vector<std::pair<double, Bond>> found;
-        const double cell = kLongestGap * pen_;
-        std::map<std::pair<int, int>, std::vector<std::size_t>> cells;
-        const auto place = [&](const Vector2d& p) {
-            return std::pair<int, int>(int(std::floor(p.x() / cell)),
-                                       int(std::floor(p.y() / cell)));
-        };
-        for (std::size_t e = 0; e < ends_.size(); ++e) {
-            const auto [x, y] = place(ends_[e].position);
-            for (int dx = -1; dx <= 1; ++dx)
-                for (int dy = -1; dy <= 1; ++dy)
-                    for (const std::size_t other : cells[{x + dx, y + dy}])
-                        if (const auto cost = cost_of(ends_[other], ends_[e]))
-                            found.push_back({*cost, {{other, e}, 0}});
-            cells[{x, y}].push_back(e);
-        }
-        std::stable_sort(found.begin(), found.end(),
-                         [](const auto& a, const auto& b) { return a.first < b.first; });
-        std::vector<Bond> sorted;
-        for (const auto& bond : found)
-            sorted.push_back(bond.second);
-        return sorted;
     }
 
     /// The gap, longer by the turn; nothing if the lines do not continue.
@@ -168,45 +137,29 @@ private:
         for (int i = 1; i <= samples; ++i) {
             const double t = double(i) / (samples + 1);
             const auto near =
-                all_.nearest_on((1 - t) * a.position + t * b.position, none, pen_ / 2);
+                all_.nearest_on((1 - t) * a.position + t * b.position, kNoEnd, pen_ / 2);
             if (near && near->line != a.line && near->line != b.line) return true;
         }
         return false;
     }
 
-    /// From an end through its line and what continues it.
-    DrawnLine follow(std::size_t first, std::vector<bool>& is_done) {
-        std::vector<std::pair<std::size_t, bool>> way;  // lines; whether from their last point on
-        bool closed = false;
-        for (std::size_t e = first;;) {
-            way.push_back({ends_[e].line, ends_[e].is_last});
-            is_done[ends_[e].line] = true;
-            const std::size_t next = partners_[other_end(e)];
-            if (next == none) break;
-            if (is_done[ends_[next].line]) {
-                closed = true;
-                break;
-            }
-            e = next;
-        }
-        if (way.size() == 1 && !closed) return std::move(lines_[way[0].first]);
-        return joined(way, closed);
-    }
-
-    std::size_t other_end(std::size_t e) const { return ends_[e].is_last ? e - 1 : e + 1; }
-
-    DrawnLine joined(const std::vector<std::pair<std::size_t, bool>>& way, bool closed) {
+    /// The lines that are entered by these ends, one after the other.
+    DrawnLine joined(const std::vector<std::size_t>& way, bool closed) {
         LineClass widest = LineClass::Fine;
-        for (const auto& [i, backwards] : way)
-            widest = std::min(widest, lines_[i].line_class);
-        DrawnLine result{widest, closed, {}};
+        double jump = 0;
+        for (const std::size_t e : way) {
+            widest = std::min(widest, lines_[ends_[e].line].line_class);
+            jump = std::max(jump, lines_[ends_[e].line].jump);
+        }
+        DrawnLine result{widest, closed, {}, jump};
         std::vector<double> seams;
         bool was_contour = false;
-        for (const auto& [i, backwards] : way) {
-            const bool is_contour = lines_[i].line_class == LineClass::Contour;
-            std::vector<DrawnPoint> points = std::move(lines_[i].points);
-            if (backwards) std::reverse(points.begin(), points.end());
-            const double share = full_width(lines_[i].line_class) / full_width(widest);
+        for (const std::size_t e : way) {
+            DrawnLine& line = lines_[ends_[e].line];
+            const bool is_contour = line.line_class == LineClass::Contour;
+            std::vector<DrawnPoint> points = std::move(line.points);
+            if (ends_[e].is_last) std::reverse(points.begin(), points.end());
+            const double share = full_width(line.line_class) / full_width(widest);
             for (DrawnPoint& point : points)
                 point.weight *= share;
             if (!result.points.empty()) {
@@ -283,7 +236,6 @@ private:
     DrawnLines all_;
     std::vector<double> lengths_;
     std::vector<End> ends_;
-    std::vector<std::size_t> partners_;  // by end: the one that continues it
 };
 
 }  // namespace

@@ -31,7 +31,7 @@ public:
         : line_(line), points_(refine(line.points, kStepShare * reach)), reach_(reach) {}
 
     DrawnLine result() const {
-        DrawnLine straight{line_.line_class, line_.closed, {}};
+        DrawnLine straight = with_points(line_, {}, line_.closed);
         for (std::size_t i = 0; i < points_.size(); i = next_after(i))
             straight.points.push_back(points_[i]);
         return straight.points.size() == points_.size() ? line_ : straight;
@@ -95,7 +95,7 @@ public:
             rest.push_back(line_);
             return;
         }
-        DrawnLine part{line_.line_class, false, {}};
+        DrawnLine part = with_points(line_, {});
         for (std::size_t i = 0; i <= points_.size(); ++i) {
             if (i < points_.size() && !is_double_[i]) {
                 part.points.push_back(points_[i]);

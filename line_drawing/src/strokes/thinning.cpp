@@ -56,14 +56,16 @@ void sort_by_strength(std::vector<DrawnLine>& lines) {
     });
 }
 
-/// Whether an edge of the form, or of a low step, has others on both sides along half of it, nearer
-/// than `nearest`: of grooves, threads and knurls at a small scale.
+/// Whether an edge of the form, or of a low step, has others on both sides along half of it, with
+/// less than the least white between: of grooves, threads and knurls at a small scale.
 bool is_crowded(const std::vector<DrawnLine>& lines, std::size_t number, const DrawnLines& all,
-                double nearest, double pen) {
+                const Pens& pens) {
     const DrawnLine& line = lines[number];
+    const double pen = pens[std::size_t(LineClass::Inner)],
+                 nearest = pens[std::size_t(line.line_class)] + kLeastWhite * pen;
     const bool is_step = line.line_class == LineClass::Contour && line.jump < kLowStep * pen;
     if (line.line_class != LineClass::Edge && !is_step) return false;
-    const auto is_no_edge = [&](std::size_t i) {
+    const auto is_skipped = [&](std::size_t i) {
         return i == number || is_on_curved(lines[i]) || lines[i].line_class == LineClass::Hidden;
     };
     const std::vector<DrawnPoint> points = refine(line.points, nearest);
@@ -72,7 +74,7 @@ bool is_crowded(const std::vector<DrawnLine>& lines, std::size_t number, const D
         const Vector2d &from = points[i - 1].position, &to = points[i].position;
         const Vector2d way = (to - from).normalized(), side(-way.y(), way.x());
         const auto has_next = [&](const Vector2d& s) {
-            return all.next_on((from + to) / 2, s, {0, nearest}, is_no_edge).has_value();
+            return all.next_on((from + to) / 2, s, {0, nearest}, is_skipped).has_value();
         };
         between += has_next(side) && has_next(-side);
     }
@@ -110,38 +112,18 @@ public:
         outlines_[std::size_t(line.line_class)].add(positions_of(line));
     }
 
-    /// Unless less than half of a contour has white beside stronger lines, not counting its ends,
-    /// which may meet these.
+    /// Unless less than half of a contour has white beside stronger lines.
     bool add_contour(const DrawnLine& line) {
-        const double pen = pens_[std::size_t(LineClass::Contour)];
-        const double end = line.closed ? 0 : white_beside(pen), length = length_of(line.points);
-        const double more = (pen - pen_) / 2;
-        double at = 0, middle = 0, apart = 0;
-        const std::vector<DrawnPoint> points = refine(line.points, kStep * pen_);
-        for (std::size_t i = 1; i < points.size(); ++i) {
-            const double piece = (points[i].position - points[i - 1].position).norm();
-            at += piece;
-            if (std::min(at, length - at) < end) continue;
-            middle += piece;
-            if (!is_beside(LineClass::Outline, points[i].position, more) &&
-                !is_beside(LineClass::Contour, points[i].position, more))
-                apart += piece;
-        }
-        const bool stays = apart >= kLeastApart * middle;
-        if (stays) add_outline(line);
-        return stays;
+        return add_if_apart(line, [&](const Vector2d& point, double more) {
+            return is_beside(LineClass::Outline, point, more) ||
+                   is_beside(LineClass::Contour, point, more);
+        });
     }
 
     /// Unless less than half of a crowded edge has white beside others.
     bool add_crowded(const DrawnLine& line) {
-        const std::vector<DrawnPoint> points = refine(line.points, pen_);
-        const double more = (pens_[std::size_t(line.line_class)] - pen_) / 2;
-        const auto apart = std::count_if(
-            points.begin(), points.end(),
-            [&](const DrawnPoint& point) { return is_beside_none(point.position, more); });
-        const bool stays = double(apart) >= kLeastApart * double(points.size());
-        if (stays) add_outline(line);
-        return stays;
+        return add_if_apart(
+            line, [&](const Vector2d& point, double more) { return !is_beside_none(point, more); });
     }
 
     /// Whether all of it was added.
@@ -171,10 +153,8 @@ public:
                                               points.begin() + std::ptrdiff_t(end), is_clear);
             if (is_apart && end - begin == points.size()) return keep(line, shortest, result);
             if (is_apart && end > begin + 1)
-                keep({line.line_class,
-                      false,
-                      {points.begin() + std::ptrdiff_t(begin),
-                       points.begin() + std::ptrdiff_t(end)}},
+                keep(with_points(line, {points.begin() + std::ptrdiff_t(begin),
+                                        points.begin() + std::ptrdiff_t(end)}),
                      shortest, result);
             begin = std::max(end, begin + 1);
         }
@@ -182,6 +162,26 @@ public:
     }
 
 private:
+    /// Not counting the ends of a line, which may meet others. `is_beside(point, more)`: `more`
+    /// than inner lines keep to.
+    template <class IsBeside>
+    bool add_if_apart(const DrawnLine& line, IsBeside is_beside) {
+        const double pen = pens_[std::size_t(line.line_class)];
+        const double end = line.closed ? 0 : white_beside(pen), length = length_of(line.points);
+        double at = 0, middle = 0, apart = 0;
+        const std::vector<DrawnPoint> points = refine(line.points, kStep * pen_);
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const double piece = (points[i].position - points[i - 1].position).norm();
+            at += piece;
+            if (std::min(at, length - at) < end) continue;
+            middle += piece;
+            if (!is_beside(points[i].position, (pen - pen_) / 2)) apart += piece;
+        }
+        const bool stays = apart >= kLeastApart * middle;
+        if (stays) add_outline(line);
+        return stays;
+    }
+
     double white_beside(double pen) const { return pen / 2 + (0.5 + kLeastWhite) * pen_; }
 
     bool is_free(const Vector2d& point) const {
@@ -321,16 +321,15 @@ std::vector<DrawnLine> without_fragments(std::vector<DrawnLine> lines, double sh
 
 std::vector<DrawnLine> thin_out(std::vector<DrawnLine> lines, const Pens& pens) {
     const double pen = pens[std::size_t(LineClass::Inner)];
-    const double nearest = pens[std::size_t(LineClass::Edge)] + kLeastWhite * pen;
-    const DrawnLines all = all_of(lines, nearest);
+    const DrawnLines all = all_of(lines, kBetweenLines * pen);
     Thinning thinning(pens);
     std::vector<DrawnLine> result, crowded, contours, inner;
     std::vector<std::vector<DrawnLine>*> groups;
     for (std::size_t i = 0; i < lines.size(); ++i)
-        groups.push_back(is_inner(lines[i])                        ? &inner
-                         : is_curved_contour(lines[i])             ? &contours
-                         : is_crowded(lines, i, all, nearest, pen) ? &crowded
-                                                                   : &result);
+        groups.push_back(is_inner(lines[i])                ? &inner
+                         : is_curved_contour(lines[i])     ? &contours
+                         : is_crowded(lines, i, all, pens) ? &crowded
+                                                           : &result);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (groups[i] == &result && lines[i].line_class != LineClass::Hidden)
             thinning.add_outline(lines[i]);

@@ -104,6 +104,10 @@ laplacian_lines::View Projection::view() const {
                       : laplacian_lines::View::orthographic(frame_.towards_viewer);
 }
 
+DrawnLine with_points(const DrawnLine& line, std::vector<DrawnPoint> points, bool closed) {
+    return {line.line_class, closed, std::move(points), line.jump, line.kind};
+}
+
 std::vector<Vector2d> positions_of(const DrawnLine& line) {
     std::vector<Vector2d> positions;
     for (const DrawnPoint& point : line.points)
