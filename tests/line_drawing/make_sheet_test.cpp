@@ -205,6 +205,28 @@ TEST(ContactSheets, HoldAllViewsWithoutOverlapOnOnePage) {
     EXPECT_TRUE(make_contact_sheet({}, "").groups.empty());
 }
 
+TEST(ContactSheets, HaveTheWeightsAndDashesOfTheOptions) {
+    SheetOptions options = plain_views("30,20");
+    options.pens = pens_of(Weights::Iso);
+    options.hidden = HiddenLines::Dashed;
+    const SheetOptions of_contact = contact_options(cube_of100(), options);
+    const auto pen = [&](LineClass c) { return of_contact.pens[std::size_t(c)]; };
+    EXPECT_EQ(pen(LineClass::Outline), 0.35);  // a step finer
+    EXPECT_EQ(pen(LineClass::Edge), 0.35);
+    const ContactEntry entry = {"cube", sheet_of(cube_of100(), of_contact)};
+    const Sheet sheet = make_contact_sheet(std::vector<ContactEntry>(40, entry), "");
+    const SheetPath &whole = sheet_helpers::layer_of(entry.view.groups[0], "hidden").paths.at(0),
+                    &small = sheet_helpers::layer_of(sheet.groups[0], "hidden").paths.at(0);
+    EXPECT_LT(small.pen_width, 0.9 * whole.pen_width);
+    EXPECT_NEAR(small.dash / whole.dash, small.pen_width / whole.pen_width, 1e-9);
+}
+
+TEST(ContactSheets, AreAtScale) {
+    SheetOptions options = plain_views("front");
+    options.views[0].eye = Eigen::Vector3d(0, 0, 300);
+    EXPECT_FALSE(contact_options(cube_of100(), options).views.at(0).eye);
+}
+
 TEST(ContactSheets, TellSizes) {
     const ContactEntry entry = entry_of(cube_of100(), "cube");
     EXPECT_EQ(entry.view.groups.size(), 1u);  // one view, no annotations

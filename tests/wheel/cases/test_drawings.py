@@ -45,6 +45,7 @@ class Drawings(unittest.TestCase):
         plain = ll.make_drawing(torus(), views=["front", "30,15"], annotations=False, wall=1)
         written = ll.make_drawing(torus(), views="front,30,15", annotations=0, wall="Filled")
         self.assertEqual(plain, written)
+        self.assertEqual(ll.make_drawing(torus(), format="SVG"), ll.make_drawing(torus()))
         self.assertIn('"--annotations","none"', plain.content.decode())
 
     def test_say_what_can_be_used(self):
