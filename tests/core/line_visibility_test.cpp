@@ -87,6 +87,20 @@ TEST(LineVisibility, HasNoContoursAlongCracksOfRounding) {
     EXPECT_NEAR(length(true), length(false), 0.01 * length(false));
 }
 
+/// A pyramid whose tip is a triangle smaller than the precision.
+TEST(LineVisibility, HasNoBordersWhereTrianglesHaveNoHeight) {
+    const TriangleMesh pyramid = {
+        {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {0, -1e-8, 1}, {1e-8, 0, 1}, {-1e-8, 0, 1}},
+        {{0, 2, 1}, {0, 1, 3}, {1, 4, 3}, {1, 2, 4}, {2, 5, 4}, {2, 0, 5}, {0, 3, 5}, {3, 4, 5}}};
+    auto shows = helpers::all_contours().shows;
+    shows[LineKind::Border] = true;
+    const auto lines =
+        LineVisibility(pyramid).visible_lines(View::orthographic({0, 0, 1}), {}, {shows});
+    EXPECT_FALSE(lines.empty());
+    for (const ViewLine& line : lines)
+        EXPECT_NE(line.kind, LineKind::Border);
+}
+
 bool is_in_front(const LineSet& lines, const Polyline& line) {
     return lines.points[line.first].position.z() > -2;
 }

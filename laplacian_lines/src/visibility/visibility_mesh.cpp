@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the edges of a surface are found, see find_edges():
-//  1. Merge equal vertices, also across cracks; unfold needles, drop triangles without height and
-//     duplicates.
-//  2. Find where triangles intersect (cuts) or touch (vertices on edges).
-//  3. Merge ends of cuts with the vertices that they coincide with; find vertices on cuts; move
+//  1. Merge equal vertices, unfold needles, drop triangles without height and duplicates.
+//  2. Merge vertices across cracks, also those that the dropped triangles leave.
+//  3. Find where triangles intersect (cuts) or touch (vertices on edges).
+//  4. Merge ends of cuts with the vertices that they coincide with; find vertices on cuts; move
 //     vertices on edges onto them.
-//  4. Divide sides of triangles and cuts at the vertices on them, and group them by edge
+//  5. Divide sides of triangles and cuts at the vertices on them, and group them by edge
 //     (edge_building.h).
 #include "visibility/visibility_mesh.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -19,8 +18,8 @@
 #include "mesh/bounding_box.h"
 #include "mesh/box_tree.h"
 #include "mesh/conforming.h"
+#include "mesh/equal_positions.h"
 #include "mesh/needles.h"
-#include "system/disjoint_sets.h"
 #include "system/equal_elements.h"
 #include "visibility/edge_building.h"
 #include "visibility/vertex_lookup.h"
@@ -183,21 +182,24 @@ void straighten(const std::vector<Contact>& on_edges, VisibilityMesh& mesh) {
 
 /// The steps above.
 void find_edges(VisibilityMesh& mesh, const StageProgress& stage) {
-    const std::vector<std::uint32_t> place_of =  // 1
+    mesh.triangles =
+        with_places(std::move(mesh.triangles), first_equal_positions(mesh.positions));  // 1
+    unfold_needles(mesh.positions, mesh.triangles);
+    drop_triangles(mesh);
+    const std::vector<std::uint32_t> place_of =  // 2
         make_conforming(mesh.positions, {mesh.precision, kCrack}, mesh.triangles);
     mesh.triangles = with_places(std::move(mesh.triangles), place_of);
-    unfold_needles(mesh.positions, mesh.triangles);
     drop_triangles(mesh);
     stage.report(0.3);
     const auto corners = std::uint32_t(mesh.positions.size());
-    SurfaceContacts contacts = find_surface_contacts(mesh, stage.part(0.4, 0.9));  // 2
-    if (!contacts.cuts.empty()) {                                                  // 3
+    SurfaceContacts contacts = find_surface_contacts(mesh, stage.part(0.4, 0.9));  // 3
+    if (!contacts.cuts.empty()) {                                                  // 4
         weld_ends(corners, mesh, contacts);
         find_on_cuts(mesh, contacts);
     }
     std::sort(contacts.on_edges.begin(), contacts.on_edges.end());
     straighten(contacts.on_edges, mesh);
-    build_edges(contacts, mesh);  // 4
+    build_edges(contacts, mesh);  // 5
     stage.report(1);
 }
 
