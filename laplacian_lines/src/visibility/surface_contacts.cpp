@@ -53,13 +53,13 @@ struct Heights {
         }
     }
 
-    /// Whether all corners but common ones are farther than `reach` on one side.
-    bool are_beside(double reach, const Triangle& corners, const Triangle& other) const {
+    /// Whether all corners but common ones are on one side.
+    bool are_beside(const Triangle& corners, const Triangle& other) const {
         bool are_over = true, are_under = true;
         for (std::size_t k = 0; k < 3; ++k) {
             if (has_corner(other, corners[k])) continue;
-            are_over = are_over && over[k] > reach;
-            are_under = are_under && over[k] < -reach;
+            are_over = are_over && signs[k] > 0;
+            are_under = are_under && signs[k] < 0;
         }
         return are_over || are_under;
     }
@@ -107,9 +107,9 @@ public:
         if (common_corners(a, b) > 1) return;
         const Vector3d &n = normals_[t], &m = normals_[other];
         const Heights of_t(mesh_, a, m, mesh_.positions[b[0]]);
-        if (of_t.are_beside(mesh_.precision, a, b)) return;
+        if (of_t.are_beside(a, b)) return;
         const Heights of_other(mesh_, b, n, mesh_.positions[a[0]]);
-        if (of_other.are_beside(mesh_.precision, b, a)) return;
+        if (of_other.are_beside(b, a)) return;
         find_touching(a, of_t, b, found);
         find_touching(b, of_other, a, found);
         FoundCut cut;
@@ -128,8 +128,7 @@ private:
     void find_touching(const Triangle& corners, const Heights& heights, const Triangle& sides,
                        Found& found) const {
         for (std::size_t k = 0; k < 3; ++k) {
-            if (std::abs(heights.over[k]) > mesh_.precision || has_corner(sides, corners[k]))
-                continue;
+            if (heights.signs[k] != 0 || has_corner(sides, corners[k])) continue;
             for (std::size_t s = 0; s < 3; ++s)
                 if (lies_between(mesh_.positions, corners[k], sides[s], sides[(s + 1) % 3],
                                  mesh_.precision))
