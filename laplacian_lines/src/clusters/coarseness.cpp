@@ -27,14 +27,6 @@ constexpr double kSquaredCosineOfCad = 0.9698;  // of 10°: planes of CAD meshes
 constexpr double kSharp = 0.7660444431189781;  // most cosine: of 40°, from which edges are creases
 constexpr double kLong = 0.02;                 // D: over four of the least kernels
 
-double longest_squared(const PreparedMesh& mesh, const Triangle& t) {
-    double longest = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-        longest = std::max(longest,
-                           (mesh.positions[t[k]] - mesh.positions[t[(k + 1) % 3]]).squaredNorm());
-    return longest;
-}
-
 /// Whether the zero of n·v in a triangle may be far from the horizon of the triangles.
 bool is_coarse(const PreparedMesh& mesh, const Field& field, const Triangle& t, bool is_cad) {
     const double squared_size = longest_squared(mesh, t);

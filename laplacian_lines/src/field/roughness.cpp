@@ -130,13 +130,9 @@ double measure_terraces(const PreparedMesh& mesh, const SpatialTree& tree,
 /// Whether triangles are about as large as each other, as those of segmented volumes are.
 bool are_even(const PreparedMesh& mesh) {
     const auto area = [&](std::size_t t) { return area_vector(mesh, mesh.triangles[t]).norm(); };
-    const auto long_area = [&](std::size_t i) {
-        const Triangle& t = mesh.triangles[i];
-        const auto side = [&](int k) {
-            return (mesh.positions[t[(k + 1) % 3]] - mesh.positions[t[k]]).norm();
-        };
-        const double longest = std::max({side(0), side(1), side(2)});
-        return longest > kLongSide * mesh.mean_edge ? area(i) : 0;
+    const double long_side = kLongSide * mesh.mean_edge;
+    const auto long_area = [&](std::size_t t) {
+        return longest_squared(mesh, mesh.triangles[t]) > long_side * long_side ? area(t) : 0;
     };
     const std::size_t count = mesh.triangles.size();
     return sum_of(count, long_area) < kMostUneven * sum_of(count, area);

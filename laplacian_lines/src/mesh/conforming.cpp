@@ -102,6 +102,7 @@ bool join_places(const Borders& borders, std::vector<std::uint32_t>& place_of) {
         });
     };
     auto pairs = collect<Pair>(ends.size(), find);
+    if (pairs.empty()) return false;
     std::sort(pairs.begin(), pairs.end());
     std::vector<std::uint32_t> first(place_of.size());
     std::iota(first.begin(), first.end(), 0u);
@@ -109,7 +110,7 @@ bool join_places(const Borders& borders, std::vector<std::uint32_t>& place_of) {
         if (first[v] == v && first[other] == other) first[v] = other;
     for (std::uint32_t& place : place_of)
         place = first[place];
-    return !pairs.empty();
+    return true;
 }
 
 Cuts find_cuts(const Borders& borders) {

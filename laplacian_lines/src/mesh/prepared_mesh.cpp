@@ -222,6 +222,14 @@ Eigen::Vector3d area_vector(const PreparedMesh& mesh, const Triangle& t) {
     return (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
 }
 
+double longest_squared(const PreparedMesh& mesh, const Triangle& t) {
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+        longest = std::max(longest,
+                           (mesh.positions[t[k]] - mesh.positions[t[(k + 1) % 3]]).squaredNorm());
+    return longest;
+}
+
 std::vector<Triangle> conforming_triangles(const TriangleMesh& mesh) {
     check_indices(mesh);
     std::vector<Triangle> triangles = usable_triangles(mesh.positions, mesh.triangles);

@@ -60,4 +60,7 @@ SpatialTree sort_in_space(PreparedMesh& mesh);
 /// Twice the area of a triangle times its unit normal.
 Eigen::Vector3d area_vector(const PreparedMesh& mesh, const Triangle& t);
 
+/// The square of a triangle's longest side.
+double longest_squared(const PreparedMesh& mesh, const Triangle& t);
+
 }  // namespace laplacian_lines

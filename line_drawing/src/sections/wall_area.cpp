@@ -65,8 +65,7 @@ std::vector<DrawnLine> parts_outside(const WallArea& area, const DrawnLine& line
         const std::vector<Stretch> stretches = outside(area, a.position, b.position);
         for (const Stretch& stretch : stretches) {
             if (!goes_on || stretch.begin > 0) {
-                parts.push_back(
-                    {line.line_class, false, {between(a, b, stretch.begin)}, line.jump});
+                parts.push_back(with_points(line, {between(a, b, stretch.begin)}));
                 begins_outside |= i == 1 && stretch.begin == 0;
             }
             parts.back().points.push_back(between(a, b, stretch.end));

@@ -80,7 +80,7 @@ struct HatchedWall {
         std::size_t count = 0;
         for (const Loop& loop : loops)
             for (const Eigen::Vector2d& p : loop)
-                count += other.edges.is_near(p, std::size_t(-1), kTouching);
+                count += other.edges.is_near(p, DrawnLines::kNoLine, kTouching);
         return count;
     }
 };

@@ -136,8 +136,8 @@ private:
         constexpr int samples = 7;
         for (int i = 1; i <= samples; ++i) {
             const double t = double(i) / (samples + 1);
-            const auto near =
-                all_.nearest_on((1 - t) * a.position + t * b.position, kNoEnd, pen_ / 2);
+            const auto near = all_.nearest_on((1 - t) * a.position + t * b.position,
+                                              DrawnLines::kNoLine, pen_ / 2);
             if (near && near->line != a.line && near->line != b.line) return true;
         }
         return false;

@@ -13,8 +13,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kLeastCosine = 0.94;  // of 20°
-constexpr double kLargestSine = 0.342, kLargestTangent = 0.364;
+constexpr double kAlongSine = 0.342, kAlongTangent = 0.364;  // of 20°
 constexpr double kEndShare = 0.5;     // of a piece of a line: beyond its end is not beside it
 constexpr double kPieceShare = 0.51;  // of the reach: half a piece, and rounding
 
@@ -158,7 +157,7 @@ bool DrawnLines::any_piece_near(const Vector2d& point, double within, Test test)
 bool DrawnLines::run_along(const Vector2d& point, const Vector2d& way, double within) const {
     return any_piece_near(point, within, [&](const Piece& piece) {
         const Vector2d along = (piece.end - piece.begin).normalized();
-        return std::abs(along.dot(way)) >= kLeastCosine &&
+        return std::abs(along.dot(way)) >= kAlongCosine &&
                distance_to(piece.begin, piece.end, point) < within;
     });
 }
@@ -198,17 +197,17 @@ std::optional<DrawnLines::Neighbour> DrawnLines::next_on(
     const std::function<bool(std::size_t)>& skips) const {
     std::optional<Neighbour> nearest;
     double most = distances.most;
-    const Vector2d farthest = point + most * side, aside = most * kLargestTangent * left_of(side);
+    const Vector2d farthest = point + most * side, aside = most * kAlongTangent * left_of(side);
     Eigen::AlignedBox2d box(point);
     box.extend(farthest + aside).extend(farthest - aside);
     any_piece_in(box, [&](const Piece& piece) {
         const Vector2d across = nearest_to(piece.begin, piece.end, point) - point;
         const double distance = across.norm();
         if (distance < distances.least || distance > most ||
-            across.dot(side) < kLeastCosine * distance)
+            across.dot(side) < kAlongCosine * distance)
             return false;
         const Vector2d way = (piece.end - piece.begin).normalized();
-        if (std::abs(way.dot(side)) > kLargestSine || skips(piece.line)) return false;
+        if (std::abs(way.dot(side)) > kAlongSine || skips(piece.line)) return false;
         most = distance;
         nearest = Neighbour{point + across, way, piece.line};
         return false;
@@ -229,6 +228,21 @@ DrawnLines all_of(const std::vector<DrawnLine>& lines, double reach) {
     for (std::size_t i = 0; i < lines.size(); ++i)
         all.add(positions_of(lines[i]), i);
     return all;
+}
+
+double share_between(const DrawnLine& line, std::size_t number, const DrawnLines& lines,
+                     double nearest) {
+    double length = 0, between = 0;
+    for_each_piece(line, nearest, [&](const Vector2d& middle, const Vector2d& way, double piece) {
+        const auto has_next = [&](const Vector2d& side) {
+            return lines
+                .next_on(middle, side, {0, nearest}, [&](std::size_t i) { return i == number; })
+                .has_value();
+        };
+        length += piece;
+        if (has_next(left_of(way)) && has_next(-left_of(way))) between += piece;
+    });
+    return between / length;
 }
 
 void for_each_by_families(const std::vector<DrawnLine>& lines, const std::vector<double>& strengths,

@@ -16,12 +16,16 @@ namespace line_drawing {
 constexpr double kBesideReach = 1.4;
 /// In reaches: nearer than this is the same place.
 constexpr double kSameReach = 0.1;
+/// Cosine of the largest angle between lines that run along each other: 20°.
+constexpr double kAlongCosine = 0.94;
 /// Cosine of the least turn at which a line doubles back: 120°.
 constexpr double kReversal = -0.5;
 
 /// Lines already on the paper, to ask whether another would double them. Millimetres.
 class DrawnLines {
 public:
+    static constexpr std::size_t kNoLine = std::size_t(-1);
+
     /// `reach`: about as far as questions go; the larger, the more lines each of them looks at.
     explicit DrawnLines(double reach) : reach_(reach) {}
 
@@ -81,6 +85,11 @@ bool is_curved_contour(const DrawnLine& line);
 bool is_on_curved(const DrawnLine& line);
 
 DrawnLines all_of(const std::vector<DrawnLine>& lines, double reach);
+
+/// The share of a line that has others on both sides, no farther away than `nearest`; `number`: its
+/// own among `lines`.
+double share_between(const DrawnLine& line, std::size_t number, const DrawnLines& lines,
+                     double nearest);
 
 /// Calls `keep` once with the number of each line; it returns whether the line is drawn whole. In
 /// order of `strengths`, largest first, but a drawn line is followed by its nearest neighbour to

@@ -14,8 +14,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kTangentReach = 2;     // reaches
-constexpr double kGoesOnCosine = 0.94;  // of 20°
+constexpr double kTangentReach = 2;  // reaches
 
 void even_out(const std::vector<DrawnLine*>& parts) {
     double edges = 0, contours = 0, jump = 0;
@@ -47,7 +46,7 @@ void even_out_classes(std::vector<DrawnLine>& lines, double reach) {
     }
     const auto turn = [&](std::size_t a, std::size_t b) -> std::optional<double> {
         const double cosine = outwards[a].dot(outwards[b]);
-        if (cosine > -kGoesOnCosine || at[a] == at[b] ||
+        if (cosine > -kAlongCosine || at[a] == at[b] ||
             (positions[a] - positions[b]).norm() > reach)
             return {};
         return cosine;

@@ -56,29 +56,20 @@ void sort_by_strength(std::vector<DrawnLine>& lines) {
     });
 }
 
+/// Whether a line is of the form, not of its curvature.
+bool is_edge(const DrawnLine& line) {
+    return !is_on_curved(line) && line.line_class != LineClass::Hidden;
+}
+
 /// Whether an edge of the form, or of a low step, has others on both sides along half of it, with
 /// less than the least white between: of grooves, threads and knurls at a small scale.
-bool is_crowded(const std::vector<DrawnLine>& lines, std::size_t number, const DrawnLines& all,
+bool is_crowded(const DrawnLine& line, std::size_t number, const DrawnLines& edges,
                 const Pens& pens) {
-    const DrawnLine& line = lines[number];
     const double pen = pens[std::size_t(LineClass::Inner)],
                  nearest = pens[std::size_t(line.line_class)] + kLeastWhite * pen;
     const bool is_step = line.line_class == LineClass::Contour && line.jump < kLowStep * pen;
-    if (line.line_class != LineClass::Edge && !is_step) return false;
-    const auto is_skipped = [&](std::size_t i) {
-        return i == number || is_on_curved(lines[i]) || lines[i].line_class == LineClass::Hidden;
-    };
-    const std::vector<DrawnPoint> points = refine(line.points, nearest);
-    std::size_t between = 0;
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        const Vector2d &from = points[i - 1].position, &to = points[i].position;
-        const Vector2d way = (to - from).normalized(), side(-way.y(), way.x());
-        const auto has_next = [&](const Vector2d& s) {
-            return all.next_on((from + to) / 2, s, {0, nearest}, is_skipped).has_value();
-        };
-        between += has_next(side) && has_next(-side);
-    }
-    return double(between) >= kLeastApart * double(points.size() - 1);
+    return (line.line_class == LineClass::Edge || is_step) &&
+           share_between(line, number, edges, nearest) >= kLeastApart;
 }
 
 /// Has a ring, which ends with a copy of its first element, begin at another one.
@@ -134,12 +125,14 @@ public:
         for (std::size_t i = 0; i < points.size(); ++i)
             are_free[i] = is_free(points[i].position);
         const auto begin_ring_at = [&](std::size_t place) {
-            if (line.closed) begin_at(place, points), begin_at(place, are_free);
+            begin_at(place, points);
+            begin_at(place, are_free);
         };
-        begin_ring_at(freest_place(are_free));  // where nothing is to be bridged
+        if (line.closed) begin_ring_at(freest_place(are_free));  // where nothing is to be bridged
         bridge(points, are_free);
         const auto covered = std::find(are_free.begin(), are_free.end(), false);
-        if (covered != are_free.end()) begin_ring_at(std::size_t(covered - are_free.begin()));
+        if (line.closed && covered != are_free.end())
+            begin_ring_at(std::size_t(covered - are_free.begin()));
         const double shortest =
             share_of(points, are_free) < kLeastShare ? kLongestIsland : kShortestStroke;
         for (std::size_t begin = 0; begin < points.size();) {
@@ -321,19 +314,18 @@ std::vector<DrawnLine> without_fragments(std::vector<DrawnLine> lines, double sh
 
 std::vector<DrawnLine> thin_out(std::vector<DrawnLine> lines, const Pens& pens) {
     const double pen = pens[std::size_t(LineClass::Inner)];
-    const DrawnLines all = all_of(lines, kBetweenLines * pen);
+    DrawnLines edges(kBetweenLines * pen);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (is_edge(lines[i])) edges.add(positions_of(lines[i]), i);
     Thinning thinning(pens);
     std::vector<DrawnLine> result, crowded, contours, inner;
-    std::vector<std::vector<DrawnLine>*> groups;
-    for (std::size_t i = 0; i < lines.size(); ++i)
-        groups.push_back(is_inner(lines[i])                ? &inner
-                         : is_curved_contour(lines[i])     ? &contours
-                         : is_crowded(lines, i, all, pens) ? &crowded
-                                                           : &result);
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (groups[i] == &result && lines[i].line_class != LineClass::Hidden)
-            thinning.add_outline(lines[i]);
-        groups[i]->push_back(std::move(lines[i]));
+        std::vector<DrawnLine>& group = is_inner(lines[i])                     ? inner
+                                        : is_curved_contour(lines[i])          ? contours
+                                        : is_crowded(lines[i], i, edges, pens) ? crowded
+                                                                               : result;
+        if (&group == &result && is_edge(lines[i])) thinning.add_outline(lines[i]);
+        group.push_back(std::move(lines[i]));
     }
     sort_by_strength(crowded);
     for (DrawnLine& line : crowded)
