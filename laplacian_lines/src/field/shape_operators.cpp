@@ -129,14 +129,18 @@ void smooth_over_one_rings(const PreparedMesh& mesh, const VertexRanges& ranges,
             for (std::uint32_t v = range.begin(); v < range.end(); ++v)
                 smoothed[v] = {}, counts[v] = 0;
             range.for_each_triangle([&](const Triangle& t) {
-                for (int k = 0; k < 3; ++k)
-                    for (const std::uint32_t other : {t[(k + 1) % 3], t[(k + 2) % 3]}) {
-                        // Where normals turn by more than a right angle, S is of another side.
-                        if (!range.holds(t[k]) || !(normals[t[k]].dot(normals[other]) > 0))
-                            continue;
-                        smoothed[t[k]].add(operators[other], 1);
-                        ++counts[t[k]];
-                    }
+                const auto add = [&](std::uint32_t v, std::uint32_t other) {
+                    if (!range.holds(v)) return;
+                    smoothed[v].add(operators[other], 1);
+                    ++counts[v];
+                };
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+                    // Where normals turn by more than a right angle, S is of another side.
+                    if (!(normals[a].dot(normals[b]) > 0)) continue;
+                    add(a, b);
+                    add(b, a);
+                }
             });
             for (std::uint32_t v = range.begin(); v < range.end(); ++v) {
                 SymmetricTensor mean = operators[v];

@@ -285,18 +285,16 @@ bool lies_between(const std::vector<Vector3d>& positions, std::uint32_t vertex, 
            (aside - along / length * span).norm() <= within;
 }
 
-Precision precision_of(const std::vector<Vector3d>& positions,
-                       const std::vector<Triangle>& triangles, double diagonal) {
-    double largest = diagonal;
-    bool are_floats = true;
-    for (const Triangle& t : triangles)
-        for (const std::uint32_t v : t)
-            for (const double x : positions[v]) {
-                largest = std::max(largest, std::abs(x));
-                are_floats = are_floats && x == double(float(x));
-            }
+Precision precision_of(const std::vector<Vector3d>& positions, const Eigen::AlignedBox3d& box) {
+    const double diagonal = box.diagonal().norm();
+    const double largest = std::max(
+        {diagonal, box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()});
     const double of_floats = std::min(kPrecision * largest, kWorstPrecision * diagonal);
-    return {of_floats, are_floats ? of_floats : kPrecision * diagonal};
+    const double others = sum_of(positions.size(), [&](std::size_t v) {
+        const Vector3d& p = positions[v];  // unused ones may be anything
+        return box.contains(p) && p != p.cast<float>().cast<double>() ? 1. : 0.;
+    });
+    return {of_floats, others == 0 ? of_floats : kPrecision * diagonal};
 }
 
 bool is_closed(const std::vector<Triangle>& triangles) {
@@ -321,8 +319,8 @@ std::vector<Edge> border_edges(const std::vector<Triangle>& triangles, std::size
 
 Nearness nearness_of(const std::vector<Vector3d>& positions,
                      const std::vector<Triangle>& triangles) {
-    const double size = bounding_box(positions, triangles).diagonal().norm();
-    return {precision_of(positions, triangles, size).of_coordinates, kCrack * size};
+    const Eigen::AlignedBox3d box = bounding_box(positions, triangles);
+    return {precision_of(positions, box).of_coordinates, kCrack * box.diagonal().norm()};
 }
 
 std::vector<std::uint32_t> make_conforming(const std::vector<Vector3d>& positions,

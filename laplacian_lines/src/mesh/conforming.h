@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <vector>
 
@@ -23,7 +23,7 @@ struct Precision {
     double of_coordinates;  ///< the same if all are floats, as in most files; smaller otherwise
 };
 Precision precision_of(const std::vector<Eigen::Vector3d>& positions,
-                       const std::vector<Triangle>& triangles, double diagonal);
+                       const Eigen::AlignedBox3d& box);
 
 /// Whether triangles pass each edge equally often in both directions, by sums of 64-bit hashes.
 bool is_closed(const std::vector<Triangle>& triangles);

@@ -232,7 +232,7 @@ VisibilityMesh build_visibility_mesh(const TriangleMesh& mesh, const StageProgre
     const Eigen::AlignedBox3d box = bounding_box(mesh.positions, result.triangles);
     result.centre = box.center();
     if (box.diagonal().norm() > 0) result.size = box.diagonal().norm();
-    const Precision precision = precision_of(mesh.positions, result.triangles, result.size);
+    const Precision precision = precision_of(mesh.positions, box);
     result.precision = precision.of_coordinates / result.size;
     result.line_precision = precision.of_floats / result.size;
     result.positions.resize(mesh.positions.size());
