@@ -42,9 +42,12 @@ public:
 
     void build(const StageProgress& stage) {
         stage.report(0);
-        featureless_ = find_featureless_triangles(mesh_);
         const CornerTable sides(mesh_.triangles, mesh_.size());
-        data_.flat_share = flat_faces(mesh_, sides).share;
+        const FlatFaces faces = flat_faces(mesh_, sides);
+        data_.flat_share = faces.share;
+        shapes_ = data_.is_rough ? std::vector<FaceShape>(mesh_.triangles.size(), FaceShape::Curved)
+                                 : face_shapes(mesh_, sides, faces);
+        featureless_ = find_featureless_triangles(mesh_, shapes_);
         partition_ = partition(mesh_, sides);
         stage.report(kPartitioned);
         links_ = link_clusters(mesh_, sides, partition_);
@@ -209,6 +212,9 @@ private:
         mark(cluster.convex_around, all_corners(convex_around_));
         mark(cluster.featureless,
              [&](unsigned i) { return featureless_[partition_.order[first + i]]; });
+        mark(cluster.enclosed, [&](unsigned i) {
+            return shapes_[partition_.order[first + i]] == FaceShape::Enclosed;
+        });
     }
 
     void write_vertices(std::size_t c, const Values& values, unsigned char* memory) const {
@@ -226,7 +232,8 @@ private:
     const Field& field_;
     const double squared_scale_;  // h_e of the kernel of derivatives
     ExtractorData& data_;
-    std::vector<std::uint8_t> featureless_;             // by triangle of the mesh
+    std::vector<FaceShape> shapes_;                     // by triangle of the mesh
+    std::vector<std::uint8_t> featureless_;             // likewise
     std::vector<std::uint8_t> convex_, convex_around_;  // by vertex
     Partition partition_;
     ClusterLinks links_;

@@ -88,6 +88,7 @@ struct Cluster {
     std::uint64_t convex_around[kClusterTriangles / kMaskGroup];
     /// A bit for each triangle: of find_featureless_triangles(), see LineRules::drop_featureless.
     std::uint64_t featureless[kClusterTriangles / kMaskGroup];
+    std::uint64_t enclosed[kClusterTriangles / kMaskGroup];  ///< likewise: of FaceShape::Enclosed
 };
 
 /// Offsets of the parts, in bytes.

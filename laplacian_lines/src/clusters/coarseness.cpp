@@ -24,8 +24,7 @@ constexpr double kLargestRoughTriangle = 0.06;   // D: noise tilts all planes, s
 constexpr double kCoarseShare = 0.25, kCoarseShareOfCad = 0.02;
 constexpr double kSquaredCosineOfCad = 0.9698;  // of 10°: planes of CAD meshes are the form's
 
-constexpr double kSharp = 0.7660444431189781;  // most cosine: of 40°, from which edges are creases
-constexpr double kLong = 0.02;                 // D: over four of the least kernels
+constexpr double kLong = 0.02;  // D: over four of the least kernels
 
 /// Whether the zero of n·v in a triangle may be far from the horizon of the triangles.
 bool is_coarse(const PreparedMesh& mesh, const Field& field, const Triangle& t, bool is_cad) {
@@ -86,17 +85,18 @@ bool follows_edges(const PreparedMesh& mesh, bool is_cad, const Field& field) {
     return coarse > (is_cad && !is_rough(field.report) ? kCoarseShareOfCad : kCoarseShare) * all;
 }
 
-std::vector<std::uint8_t> find_featureless_triangles(const PreparedMesh& mesh) {
+std::vector<std::uint8_t> find_featureless_triangles(const PreparedMesh& mesh,
+                                                     const std::vector<FaceShape>& shapes) {
     std::vector<std::uint8_t> featureless(mesh.triangles.size(), 0);
     const std::vector<double> cosines = least_cosines(mesh);
-    const auto is_sharp = [&](double cosine) { return cosine <= kSharp; };
+    const auto is_sharp = [&](double cosine) { return cosine <= kSharpCosine; };
     if (std::none_of(cosines.begin(), cosines.end(), is_sharp)) return featureless;
     for_each_element(featureless.size(), [&](std::size_t i) {
         const Triangle& t = mesh.triangles[i];
         const auto is_flat = [&](std::uint32_t v) { return cosines[v] >= kFlatCosine; };
         const auto is_clear = [&](std::uint32_t v) { return is_flat(v) || is_sharp(cosines[v]); };
         featureless[i] =
-            std::all_of(t.begin(), t.end(), is_flat) ||
+            shapes[i] != FaceShape::Curved || std::all_of(t.begin(), t.end(), is_flat) ||
             (std::all_of(t.begin(), t.end(), is_clear) && longest_squared(mesh, t) > kLong * kLong);
     });
     return featureless;

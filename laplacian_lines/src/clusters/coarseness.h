@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "laplacian_lines/field.h"
+#include "mesh/flat_faces.h"
 #include "mesh/prepared_mesh.h"
 
 namespace laplacian_lines {
@@ -19,10 +20,12 @@ bool is_rough(const MeshReport& report);
 bool follows_edges(const PreparedMesh& mesh, bool is_cad, const Field& field);
 
 /// Which triangles have no feature of their own, 1 or 0 for each: Laplacian lines found there come
-/// from beyond an edge, over which the kernel reaches. Those whose corners are all flat, or so long
-/// that flat corners and sharp ones are all there is of the form. At a flat corner every triangle
-/// is within .1° of the largest one, at a sharp one some is at 40° or more. None on a mesh without
-/// a sharp corner. The order of triangles and the number of threads do not matter.
-std::vector<std::uint8_t> find_featureless_triangles(const PreparedMesh& mesh);
+/// from beyond an edge, over which the kernel reaches. Those of faces that are flat by design,
+/// those whose corners are all flat, and those so long that flat corners and sharp ones are all
+/// there is of the form. At a flat corner every triangle is within .1° of the largest one, at a
+/// sharp one some is at 40° or more. None on a mesh without a sharp corner. The number of threads
+/// does not matter.
+std::vector<std::uint8_t> find_featureless_triangles(const PreparedMesh& mesh,
+                                                     const std::vector<FaceShape>& shapes);
 
 }  // namespace laplacian_lines

@@ -93,6 +93,9 @@ struct PlacedCluster {
     const CurvatureRecord* curvatures;  ///< by vertex; null if there are none
 
     ClusterTriangle triangle(unsigned i) const { return triangle_at(triangles, i); }
+    bool is_enclosed(unsigned i) const {
+        return cluster->enclosed[i / kMaskGroup] >> i % kMaskGroup & 1;
+    }
 };
 std::vector<PlacedCluster> place_clusters(const ExtractorData& data);
 

@@ -76,8 +76,9 @@ ZeroPiece zero_piece(const PlacedCluster& placed, unsigned triangle, const bool 
 ZeroLines trace_zeros(const ExtractorData& data, LineKind kind, float least_length,
                       const std::vector<ZeroPieces>& pieces);
 
-/// The pieces in all clusters: Cluster(placed, more...) has add(triangle, pieces), which appends
-/// the one in a triangle, if any. Any number of threads gives the same.
+/// The pieces in all clusters, but for enclosed triangles: Cluster(placed, more...) has
+/// add(triangle, pieces), which appends the one in a triangle, if any. Any number of threads gives
+/// the same.
 template <class Cluster, class... More>
 ZeroLines find_zero_lines(const ExtractorData& data, LineKind kind, float least_length,
                           const More&... more) {
@@ -86,7 +87,7 @@ ZeroLines find_zero_lines(const ExtractorData& data, LineKind kind, float least_
     in_parallel(placed.size(), [&](std::size_t c) {
         const Cluster cluster(placed[c], more...);
         for (unsigned t = 0; t < placed[c].cluster->triangle_count; ++t)
-            cluster.add(t, pieces[c]);
+            if (!placed[c].is_enclosed(t)) cluster.add(t, pieces[c]);
     });
     return trace_zeros(data, kind, least_length, pieces);
 }

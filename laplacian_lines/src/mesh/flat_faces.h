@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
 #include "mesh/corner_table.h"
 #include "mesh/prepared_mesh.h"
 
@@ -13,10 +17,17 @@ constexpr double kCadShare = 0.27;
 
 /// Least cosine between neighbours in a flat face: of 0.1°.
 constexpr double kFlatCosine = 0.9999984769132877;
+/// Largest cosine between neighbours at a sharp edge: of 40°, from which edges are creases.
+constexpr double kSharpCosine = 0.7660444431189781;
 
-/// Flat faces of several triangles.
+/// Neighbouring triangles in one plane are a flat face.
 struct FlatFaces {
-    double share = 0;        ///< of the area
+    std::vector<Eigen::Vector3d> normals;   ///< by triangle, unit
+    std::vector<std::uint32_t> face_of;     ///< by triangle: the first one of its face
+    std::vector<double> areas;              ///< by first triangle, twice, local units
+    std::vector<std::uint8_t> has_several;  ///< by first triangle: others
+
+    double share = 0;        ///< of the area, in faces of several triangles
     double large_share = 0;  ///< of the area, in faces of at least kLargeFace of it
 
     /// Whether the mesh was designed, not scanned, so that angles between triangles, however small,
@@ -28,5 +39,17 @@ struct FlatFaces {
 
 /// The number of threads does not matter.
 FlatFaces flat_faces(const PreparedMesh& mesh, const CornerTable& sides);
+
+/// What a triangle belongs to.
+enum class FaceShape : std::uint8_t {
+    Curved,   ///< a curved surface, or one triangle alone
+    Flat,     ///< a face that goes on smoothly somewhere, but is no facet of a curved surface
+    Enclosed  ///< a face with sharp edges or borders alone
+};
+
+/// By triangle. Flat faces, which only CAD meshes have, do not go on to facets that are about as
+/// wide as they are, and would bulge if they were curved.
+std::vector<FaceShape> face_shapes(const PreparedMesh& mesh, const CornerTable& sides,
+                                   const FlatFaces& faces);
 
 }  // namespace laplacian_lines
