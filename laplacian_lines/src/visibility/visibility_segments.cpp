@@ -37,9 +37,10 @@ public:
             segment.is_exact = is_crease || count > 2;
         } else if (count > 2) {
             classify_contact(edge, segment);
-        } else if (!is_crease && edge_on_.needs_contour(edge)) {
+        } else if (edge_on_.needs_contour(edge)) {
             segment.kind = LineKind::Contour;
-            segment.is_exact = segment.divides = false;
+            segment.is_exact = is_crease;
+            segment.divides = false;
         } else {
             segment.kind = LineKind::Crease;
             segment.is_drawn = is_crease;

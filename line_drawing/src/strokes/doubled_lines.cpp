@@ -2,6 +2,7 @@
 #include "strokes/strokes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <unordered_map>
 
@@ -76,13 +77,15 @@ public:
         : line_(line),
           points_(refine(line.points, kStepShare * reach)),
           is_double_(points_.size()) {
-        std::vector<bool> is_same(points_.size());
+        std::vector<bool> is_same(points_.size()), is_beside(points_.size());
         for (std::size_t i = 0; i < points_.size(); ++i) {
             is_double_[i] = there.run_along(points_[i].position, way_at(i), reach);
+            is_beside[i] = is_double_[i] && there.run_beside(points_[i].position, way_at(i), reach);
             is_same[i] = is_double_[i] &&
                          there.run_along(points_[i].position, way_at(i), kSameReach * reach);
         }
         forget_short_runs(is_double_, kShortestDouble * reach);
+        forget_gaps(is_beside, reach);
         forget_short_runs(is_same, kStepShare * reach / 2);
         for (int i = 0; i < kOverlap; ++i)
             shorten_runs();
@@ -123,6 +126,23 @@ private:
                 std::fill(is_in.begin() + std::ptrdiff_t(begin),
                           is_in.begin() + std::ptrdiff_t(end), false);
             begin = end;
+        }
+    }
+
+    /// Between lines that it doubles, one after the other, where there is white between them.
+    void forget_gaps(const std::vector<bool>& is_beside, double reach) {
+        const auto first = std::find(is_beside.begin(), is_beside.end(), true);
+        for (auto begin = std::find(first, is_beside.end(), false); begin != is_beside.end();) {
+            const auto end = std::find(begin, is_beside.end(), true);
+            if (end == is_beside.end()) return;  // beyond the last one
+            double length = 0;
+            for (auto i = begin - is_beside.begin(); i < end - is_beside.begin(); ++i)
+                length += (points_[std::size_t(i)].position - points_[std::size_t(i) - 1].position)
+                              .norm();
+            if (length > reach)
+                std::fill(is_double_.begin() + (begin - is_beside.begin()),
+                          is_double_.begin() + (end - is_beside.begin()), false);
+            begin = std::find(end, is_beside.end(), false);
         }
     }
 

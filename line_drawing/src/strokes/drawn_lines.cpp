@@ -111,6 +111,20 @@ std::optional<std::size_t> next_beside(const std::vector<DrawnLine>& lines, std:
 
 }  // namespace
 
+bool DrawnLines::Piece::is_along(const Vector2d& way) const {
+    return std::abs((end - begin).normalized().dot(way)) >= kAlongCosine;
+}
+
+bool DrawnLines::Piece::ends_before(const Vector2d& point) const {
+    const Vector2d way = end - begin;
+    const double t = way.dot(point - begin) / way.squaredNorm();
+    return t < -kEndShare || t > 1 + kEndShare;
+}
+
+bool DrawnLines::Piece::is_within(double distance, const Vector2d& point) const {
+    return distance_to(begin, end, point) < distance;
+}
+
 std::int64_t DrawnLines::square_of(double coordinate) const {
     return std::int64_t(std::floor(coordinate / reach_));
 }
@@ -156,18 +170,19 @@ bool DrawnLines::any_piece_near(const Vector2d& point, double within, Test test)
 
 bool DrawnLines::run_along(const Vector2d& point, const Vector2d& way, double within) const {
     return any_piece_near(point, within, [&](const Piece& piece) {
-        const Vector2d along = (piece.end - piece.begin).normalized();
-        return std::abs(along.dot(way)) >= kAlongCosine &&
-               distance_to(piece.begin, piece.end, point) < within;
+        return piece.is_along(way) && piece.is_within(within, point);
+    });
+}
+
+bool DrawnLines::run_beside(const Vector2d& point, const Vector2d& way, double within) const {
+    return any_piece_near(point, within, [&](const Piece& piece) {
+        return piece.is_along(way) && !piece.ends_before(point) && piece.is_within(within, point);
     });
 }
 
 bool DrawnLines::is_beside(const Vector2d& point, double within) const {
     return any_piece_near(point, within, [&](const Piece& piece) {
-        const Vector2d way = piece.end - piece.begin;
-        const double t = way.dot(point - piece.begin) / way.squaredNorm();
-        const bool is_past = t < -kEndShare || t > 1 + kEndShare;
-        return !is_past && distance_to(piece.begin, piece.end, point) < within;
+        return !piece.ends_before(point) && piece.is_within(within, point);
     });
 }
 

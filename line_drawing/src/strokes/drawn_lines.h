@@ -31,8 +31,10 @@ public:
 
     void add(const std::vector<Eigen::Vector2d>& line, std::size_t number = 0);
 
-    /// Whether a line this near runs along the unit direction `way`, within 20°.
+    /// Whether a line this near runs along the unit direction `way`, within 20°; the second one: so
+    /// that the point is not beyond its end.
     bool run_along(const Eigen::Vector2d& point, const Eigen::Vector2d& way, double within) const;
+    bool run_beside(const Eigen::Vector2d& point, const Eigen::Vector2d& way, double within) const;
 
     /// Whether `point` is this near beside a line in any direction, not beyond its end.
     bool is_beside(const Eigen::Vector2d& point, double within) const;
@@ -64,6 +66,10 @@ private:
     struct Piece {
         Eigen::Vector2d begin, end;
         std::size_t line;
+
+        bool is_along(const Eigen::Vector2d& way) const;
+        bool ends_before(const Eigen::Vector2d& point) const;
+        bool is_within(double distance, const Eigen::Vector2d& point) const;
     };
     using Cell = std::uint64_t;
 

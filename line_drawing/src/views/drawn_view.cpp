@@ -149,8 +149,12 @@ bool is_fixed(const DrawnLine& line) {
 }
 
 bool is_smooth(const DrawnLine& line) {
-    return std::any_of(line.points.begin(), line.points.end(),
-                       [](const DrawnPoint& point) { return !point.is_exact; });
+    double smooth = 0, exact = 0;
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+        const DrawnPoint &a = line.points[i - 1], &b = line.points[i];
+        (a.is_exact && b.is_exact ? exact : smooth) += (b.position - a.position).norm();
+    }
+    return smooth > exact;
 }
 
 bool is_inner(const DrawnLine& line) {

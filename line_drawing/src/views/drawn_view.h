@@ -86,7 +86,7 @@ void shift_end(std::vector<DrawnPoint>& points, bool is_last, const Eigen::Vecto
 /// Whether all of its points stay().
 bool is_fixed(const DrawnLine& line);
 
-/// Whether any of its points is not exact.
+/// Whether most of it is not exact.
 bool is_smooth(const DrawnLine& line);
 
 /// Whether a drawing may drop it or join it to another: it is neither an edge of the form nor an
