@@ -442,6 +442,24 @@ TEST(Creases, LeaveNoLaplacianLinesOnFacesBesideThem) {
         EXPECT_GT(count(mesh, false), 0u);
         EXPECT_EQ(count(mesh, true), 0u);
     }
+    const TriangleMesh small_hole = turned(36, {{1, -0.3}, {1, 0.3}, {0.02, 0.3}, {0.02, 0.2}});
+    EXPECT_EQ(count(small_hole, true), 0u);
+}
+
+/// The rim of a dish, which bends inwards and outwards by turns.
+TEST(Creases, EncloseNoRidges) {
+    std::vector<Ring> rings;
+    for (const auto& [radius, z] : {std::pair(1., -0.3), {1., 0.3}, {0.9, 0.3}, {0.9, 0.27}}) {
+        Ring& ring = rings.emplace_back(circle(36, radius, z));
+        for (Eigen::Vector3d& p : ring)
+            p.head<2>() *= 1 + 0.1 * std::cos(5 * std::atan2(p.y(), p.x()));
+    }
+    LineStyle style = creases_alone();
+    style.shows[LineKind::Ridge] = style.shows[LineKind::Valley] = true;
+    style.ridge_angle = 5;
+    const LineSet lines = creases_of(joined(rings), style);
+    for (const Polyline& line : lines.lines)
+        EXPECT_EQ(line.kind, LineKind::Crease);
 }
 
 }  // namespace

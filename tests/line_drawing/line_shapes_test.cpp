@@ -222,6 +222,20 @@ TEST(Overlaps, ALineAlongAnOutlineIsLeftOutThereOnly) {
     EXPECT_LE(rest[1].points.back().position.x(), 2 * kDoubleReach);
 }
 
+TEST(Overlaps, ALineStaysBetweenThoseThatItDoubles) {
+    const double end = 5, begin = end + 1.9 * kDoubleReach, piece = 0.1 * kDoubleReach;
+    const double middle = (end + begin) / 2;
+    const auto rest =
+        without_doubles({line(LineClass::Contour, {{0, 0}, {end - piece, 0}, {end, 0}}),
+                         line(LineClass::Contour, {{begin, 0}, {begin + piece, 0}, {12, 0}}),
+                         line(LineClass::Edge, {{0, 0}, {12, 0}})},
+                        kDoubleReach);
+    ASSERT_EQ(rest.size(), 3u);
+    EXPECT_LT(rest[2].points.front().position.x(), middle);
+    EXPECT_GT(rest[2].points.back().position.x(), middle);
+    EXPECT_LT(length_of(rest[2].points), 8 * kDoubleReach);
+}
+
 /// A short step between two edges that end on different lines joins these. Also an edge that has
 /// passed the line it met, and two that have passed each other, as where a hub's rims are cut into
 /// triangles at different places.

@@ -55,6 +55,18 @@ TEST(Thinning, LeavesTheStrongerOfTwoLinesSideBySide) {
             count);
 }
 
+/// Edges stay beside an outline, also where a point of theirs is none of an edge.
+TEST(Thinning, LeavesContoursThatAreEdges) {
+    DrawnLine contour = straight({0, 0.4}, {20, 0.4}, 1, LineClass::Contour);
+    const auto count = [&] {
+        return thin_out({straight({0, 0}, {20, 0}, 1, LineClass::Outline), contour}, kPens).size();
+    };
+    EXPECT_EQ(count(), 1u) << "of a curved surface";
+    for (DrawnPoint& point : contour.points)
+        point.is_exact = &point != &contour.points[7];
+    EXPECT_EQ(count(), 2u);
+}
+
 TEST(Thinning, LeavesLinesThatCrossOrMeet) {
     const std::vector<DrawnLine> lines = {straight({0, 0}, {20, 0}), straight({10, -8}, {10, 8}),
                                           straight({5, 0.04}, {5, 9})};
