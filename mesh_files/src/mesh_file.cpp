@@ -18,6 +18,7 @@ struct Reader {
 constexpr std::array<Reader, 4> kReaders = {
     {{"ply", read_ply}, {"stl", read_stl}, {"obj", read_obj}, {"off", read_off}}};
 
+constexpr std::string_view kLfsPointer = "version https://git-lfs";
 constexpr std::string_view kUtf8Mark = "\xef\xbb\xbf";
 
 /// With or without a byte order mark, for text in ASCII.
@@ -69,6 +70,8 @@ MeshInFile read_mesh(Format format, std::string_view bytes) {
     MeshInFile file;
     try {
         if (bytes.empty()) throw Defect{"it is empty"};
+        if (bytes.substr(0, kLfsPointer.size()) == kLfsPointer)
+            throw Defect{"it is a pointer of Git LFS to the mesh; \"git lfs pull\" fetches that"};
         if (is_utf16(bytes)) throw Defect{"it is text in UTF-16; save it as UTF-8 or ASCII"};
         if (bytes.substr(0, kUtf8Mark.size()) == kUtf8Mark) bytes.remove_prefix(kUtf8Mark.size());
         const std::string remark = kReaders[std::size_t(format)].read(bytes, builder);

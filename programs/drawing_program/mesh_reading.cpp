@@ -74,7 +74,10 @@ ReadMesh read_mesh(const std::string& file, bool draws_damaged) {
     if (!bytes) refuse(file, "there is no such file, or it cannot be read.");
     const fs::path name = fs::u8path(file).filename();
     const auto format = format_of(name);
-    if (!format) refuse(file, "meshes are read from PLY, OBJ, STL and OFF files.");
+    if (!format)
+        refuse(file,
+               "meshes are read from PLY, OBJ, STL and OFF files; MeshLab exports others as "
+               "these.");
     auto hash = std::async(std::launch::async, [&] { return sha256_of(*bytes); });
     auto [mesh, defect, remark] = mesh_files::read_mesh(*format, *bytes);
     if (mesh.triangles.empty() && !defect.empty())

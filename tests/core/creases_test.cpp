@@ -306,6 +306,23 @@ TEST(Creases, AreTheRimsOfHolesInPlates) {
     }
 }
 
+/// One triangle wide on each side: a few triangles on, the two sides are the same surface.
+TEST(Creases, AreTheBottomsOfNarrowGroovesOfScans) {
+    constexpr int cells = 40;
+    TriangleMesh mesh = test_meshes::hills(cells).mesh;
+    for (Eigen::Vector3d& p : mesh.positions)
+        if (std::abs(p.y()) < 1e-9) p.z() -= 1.5 * 2 / cells;
+    double length = 0;
+    const LineSet creases = creases_of(mesh);
+    for (const Polyline& line : creases.lines)
+        for (std::uint32_t i = line.first + 1; i < line.first + line.count; ++i) {
+            const Eigen::Vector3d a = creases.position(creases.points[i - 1]),
+                                  b = creases.position(creases.points[i]);
+            if (std::abs(a.y()) + std::abs(b.y()) < 1e-6) length += (b - a).norm();
+        }
+    EXPECT_GT(length, 1.8);
+}
+
 /// Steps as high as a voxel are flat and sharp as made parts are.
 TEST(Creases, AreNotTheStepsOfSegmentedVolumes) {
     EXPECT_TRUE(creases_of(test_meshes::terraced_head(60)).lines.empty());

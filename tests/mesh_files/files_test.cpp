@@ -139,6 +139,8 @@ TEST(DamagedFiles, SayWhatAndWhere) {
               "line 4: a face names vertex 1, counted from 0, of 1");
     EXPECT_EQ(defect(Format::Obj, std::string("v\0 \0", 4)),
               "it is text in UTF-16; save it as UTF-8 or ASCII");
+    EXPECT_EQ(defect(Format::Obj, "version https://git-lfs.github.com/spec/v1\noid sha256:0\n"),
+              "it is a pointer of Git LFS to the mesh; \"git lfs pull\" fetches that");
     EXPECT_EQ(defect(Format::Stl, "solid a\nfacet normal 0 0\n"),
               "line 2: it ends without \"endsolid\"");
     EXPECT_EQ(defect(Format::Stl, std::string(80, '\0') + packed(std::uint32_t(2))),

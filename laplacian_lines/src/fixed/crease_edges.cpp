@@ -28,6 +28,8 @@ using Verdict = CreaseEdge::Verdict;
 constexpr float kLeastCreaseAngle = 3;  // degrees
 // On scans a smaller angle may be noise.
 constexpr float kLeastMeasuredAngle = 20;  // degrees
+// Noise alone does not fold surfaces: narrow grooves do, whose two sides are much the same beyond.
+constexpr float kFold = 100;  // degrees
 // Unexplained shares of the edge's angle: 0 at a facet of a curved face, 1 between flat faces. An
 // edge that continues a strong one may be weak.
 constexpr float kStrong = 0.5f, kWeak = 0.25f;
@@ -128,7 +130,7 @@ private:
     }
 
     Verdict test(const CreaseEdge& edge) const {
-        if (!is_cad_ && !is_edge_of_form(surface_, edge)) return Verdict::Noise;
+        if (!is_cad_ && edge.angle < kFold && !is_edge_of_form(surface_, edge)) return Verdict::Noise;
         if (edge.angle >= kEdgeAngle) return Verdict::Certain;
         if (is_mere_diagonal(surface_, edge.side)) return Verdict::Facet;
         const CreaseJump jump = crease_jump(surface_, edge.side, signed_angle(surface_, edge.side));

@@ -119,14 +119,20 @@ FlatFaces flat_faces(const PreparedMesh& mesh, const CornerTable& sides) {
 
 std::vector<FaceShape> face_shapes(const PreparedMesh& mesh, const CornerTable& sides,
                                    const FlatFaces& faces) {
-    const std::vector<Bounds> bounds = bounds_of(mesh, sides, faces);
+    std::vector<std::uint8_t> goes_on(faces.face_of.size());  // softly, by first triangle
+    for_each_bound(mesh, sides, faces,
+                   [&](std::uint32_t face, double, double cosine, std::uint32_t) {
+                       if (cosine > kSharpCosine) goes_on[face] = 1;
+                   });
+    std::vector<Bounds> bounds;
+    if (faces.is_cad_mesh()) bounds = bounds_of(mesh, sides, faces);
     std::vector<FaceShape> shapes(faces.face_of.size(), FaceShape::Curved);
     for_each_element(shapes.size(), [&](std::size_t t) {
         const std::uint32_t face = faces.face_of[t];
         if (!faces.has_several[face]) return;
-        if (bounds[face].soft_length == 0)
+        if (!goes_on[face])
             shapes[t] = FaceShape::Enclosed;
-        else if (faces.is_cad_mesh() && bounds[face].is_no_facet())
+        else if (!bounds.empty() && bounds[face].is_no_facet())
             shapes[t] = FaceShape::Flat;
     });
     return shapes;

@@ -108,11 +108,11 @@ std::vector<SheetOption> make_table() {
              "Names of views, scale bar, symbol of the projection, notes of scale, size and file."),
          Place::Both,
          {"none", "all"}},
-        text(
-            &S::kinds, "kinds", "Kinds of Lines",
-            "With the outlines: usual, laplacian_lines, apparent_ridges, ridges+creases and so on; "
-            "a wrong one lists all.",
-            "NAMES", Place::Command),
+        text(&S::kinds, "kinds", "Kinds of Lines",
+             "With the outlines: usual (laplacian_lines, ridges, borders, creases), creases alone, "
+             "as "
+             "for machine parts, apparent_ridges and so on; a wrong one lists all.",
+             "NAMES", Place::Command),
         text(&S::kernel, "kernel", "Kernel on Paper",
              "Detail of inner lines: a length on paper, or a share of the object's diagonal; "
              "auto: four pens of inner lines.",

@@ -63,6 +63,8 @@ void make_keys_unique(std::vector<SheetGroup>& groups) {
     }
 }
 
+constexpr double kLeastMissing = 0.05;  // mm; less is no tenth
+
 std::string remark_on(const DrawnView& view, double missing) {
     return view.frame.name + ": " + in_decimals(missing, 1) +
            " mm of the outline were missing and have been drawn from the mesh's edges. Please "
@@ -147,7 +149,7 @@ Sheet draw(const ViewBuilder& builder, Draft& draft, const Progress& progress) {
     sheet.remarks = draft.remarks;
     const std::vector<double> missing = add_lines(builder, draft, progress);
     for (std::size_t i = 0; i < missing.size(); ++i) {
-        if (missing[i] > 0) sheet.remarks.push_back(remark_on(views[i], missing[i]));
+        if (missing[i] >= kLeastMissing) sheet.remarks.push_back(remark_on(views[i], missing[i]));
         if (!views[i].note.empty()) sheet.remarks.push_back(remark_on(views[i].note));
     }
     sheet.groups.resize(views.size());
