@@ -103,15 +103,15 @@ TEST(LineVisibility, HasNoBordersWhereTrianglesHaveNoHeight) {
 
 /// Whichever of its walls the turned eye sees.
 TEST(LineVisibility, HasContoursAllAroundAStepSeenFromAbove) {
-    const TriangleMesh steps =
-        test_meshes::stacked({{1, 1, 0}, {1, 1, 0.5}, {0.5, 0.5, 0.5}, {0.5, 0.5, 1}});
+    const Scene scene{
+        test_meshes::stacked({{1, 1, 0}, {1, 1, 0.5}, {0.5, 0.5, 0.5}, {0.5, 0.5, 1}})};
+    const View view = View::orthographic(Vector3d::UnitZ());
     double length = 0;
-    for (const ViewLine& line : Scene{steps}.visibility.visible_lines(
-             View::orthographic({0, 0, 1}),
-             {Scene{steps}.on_surface(View::orthographic({0, 0, 1}), LineStyle())}, {}))
+    for (const ViewLine& line :
+         scene.visibility.visible_lines(view, {scene.on_surface(view, LineStyle())}, {}))
         for (std::size_t i = 1; i < line.points.size(); ++i) {
             const Vector3d &a = line.points[i - 1].position, &b = line.points[i].position;
-            if (line.kind == LineKind::Contour && a.z() == 1 && b.z() == 1)
+            if (line.kind == LineKind::Contour && std::min(a.z(), b.z()) > 0.99)
                 length += (b - a).norm();
         }
     EXPECT_NEAR(length, 4, 1e-3);

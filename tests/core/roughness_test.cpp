@@ -2,6 +2,8 @@
 // How rough a surface is, and the smoothing that follows from it.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 
 #include "helpers.h"
@@ -69,18 +71,25 @@ TEST(Roughness, TellsTerracesAndNoiseOnSmoothForms) {
     EXPECT_GT(sigma_of(test_meshes::with_noise(test_meshes::sphere(5).mesh, 0.4)), 1.6);
 }
 
-/// Stairs of finely cut steps on a wedge of large triangles.
-TriangleMesh stairs() {
-    constexpr int kSteps = 8, kCuts = 3;
+constexpr int kSteps = 8;
+
+/// Finely cut.
+TriangleMesh steps() {
+    constexpr int kCuts = 3;
     const auto place = [](double i) {  // along treads and risers in turn
         const double step = std::floor(i / (2 * kCuts)), rest = i - 2 * kCuts * step;
         return std::pair(step + std::min(rest / kCuts, 1.), step + std::max(rest / kCuts - 1, 0.));
     };
     const int pieces = 2 * kCuts * kSteps;
-    TriangleMesh mesh = test_meshes::grid_mesh({12, pieces, false, false}, [&](double u, double v) {
+    return test_meshes::grid_mesh({12, pieces, false, false}, [&](double u, double v) {
         const auto [x, y] = place(std::round(pieces * v));
         return Vector3d(x, y, 4 * u);
     });
+}
+
+/// Steps on a wedge of large triangles.
+TriangleMesh stairs() {
+    TriangleMesh mesh = steps();
     test_meshes::append(mesh, {{{0, 0, 0},
                                 {kSteps, 0, 0},
                                 {kSteps, 0, 4},
@@ -96,6 +105,14 @@ TEST(Roughness, IsNoneOfFineStepsOfADesign) {
     for (int i = 0; i < 20; ++i)
         test_meshes::append(many, test_meshes::moved(stairs(), {12. * (i % 5), 0, 7. * (i / 5)}));
     EXPECT_EQ(precompute(many).report.roughness, 0);
+    TriangleMesh turned;  // in more directions than voxels have
+    for (int i = 0; i < 20; ++i) {
+        TriangleMesh part = steps();
+        for (Vector3d& p : part.positions)
+            p = Eigen::AngleAxisd(0.3 * i, Vector3d(1, 2, 3).normalized()) * p;
+        test_meshes::append(turned, test_meshes::moved(part, {20. * (i % 5), 0, 20. * (i / 5)}));
+    }
+    EXPECT_EQ(precompute(turned).report.roughness, 0);
 }
 
 /// 1.5 times the root of the noise, in mean edges, whatever the form and however coarse.

@@ -223,13 +223,11 @@ TEST(Overlaps, ALineAlongAnOutlineIsLeftOutThereOnly) {
 }
 
 TEST(Overlaps, ALineStaysBetweenThoseThatItDoubles) {
-    const double end = 5, begin = end + 1.9 * kDoubleReach, piece = 0.1 * kDoubleReach;
-    const double middle = (end + begin) / 2;
-    const auto rest =
-        without_doubles({line(LineClass::Contour, {{0, 0}, {end - piece, 0}, {end, 0}}),
-                         line(LineClass::Contour, {{begin, 0}, {begin + piece, 0}, {12, 0}}),
-                         line(LineClass::Edge, {{0, 0}, {12, 0}})},
-                        kDoubleReach);
+    const double end = 5, begin = end + 1.9 * kDoubleReach, middle = (end + begin) / 2;
+    const auto rest = without_doubles(
+        {line(LineClass::Contour, {{0, 0}, {end, 0}}),
+         line(LineClass::Contour, {{begin, 0}, {12, 0}}), line(LineClass::Edge, {{0, 0}, {12, 0}})},
+        kDoubleReach);
     ASSERT_EQ(rest.size(), 3u);
     EXPECT_LT(rest[2].points.front().position.x(), middle);
     EXPECT_GT(rest[2].points.back().position.x(), middle);

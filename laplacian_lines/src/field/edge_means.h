@@ -8,7 +8,7 @@
 namespace laplacian_lines {
 
 /// For each vertex v that is_asked(v), the mean of value_of(v, other) over its edges, inner ones
-/// once per triangle, and of start[v] unless that is empty.
+/// once per triangle, and of start[v] unless that is empty; start[v] or 0 for others.
 template <class IsAsked, class ValueOf>
 std::vector<double> mean_over_edges(const PreparedMesh& mesh, const VertexRanges& ranges,
                                     const std::vector<double>& start, const StageProgress& stage,
@@ -34,7 +34,7 @@ std::vector<double> mean_over_edges(const PreparedMesh& mesh, const VertexRanges
     return means;
 }
 
-constexpr auto kAllVertices = [](std::uint32_t) { return true; };
+inline constexpr auto kAllVertices = [](std::uint32_t) { return true; };
 
 template <class IsAsked>
 std::vector<double> mean_edges(const PreparedMesh& mesh, const VertexRanges& ranges,

@@ -22,10 +22,7 @@ constexpr double kOfForm = 0.45, kOfNoise = 0.15;
 double vertex_noise(const PreparedMesh& mesh, const VertexRanges& ranges,
                     const std::vector<Eigen::Vector3d>& normals, const StageProgress& stage) {
     const std::size_t step = mesh.size() / kMostSamples + 1;
-    std::vector<std::uint8_t> is_sample(mesh.size());
-    for (std::size_t v = 0; v < mesh.size(); v += step)
-        is_sample[v] = 1;
-    const auto is_asked = [&](std::uint32_t v) { return is_sample[v] != 0; };
+    const auto is_asked = [step = std::uint32_t(step)](std::uint32_t v) { return v % step == 0; };
     const std::vector<double> edges = mean_edges(mesh, ranges, stage.part(0, 0.2), is_asked);
     const auto height = [&](std::uint32_t v, std::uint32_t other) {
         return normals[v].dot(mesh.positions[other] - mesh.positions[v]);

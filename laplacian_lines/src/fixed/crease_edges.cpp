@@ -28,8 +28,6 @@ using Verdict = CreaseEdge::Verdict;
 constexpr float kLeastCreaseAngle = 3;  // degrees
 // On scans a smaller angle may be noise.
 constexpr float kLeastMeasuredAngle = 20;  // degrees
-// Noise alone does not fold surfaces: narrow grooves do, whose two sides are much the same beyond.
-constexpr float kFold = 100;  // degrees
 // Unexplained shares of the edge's angle: 0 at a facet of a curved face, 1 between flat faces. An
 // edge that continues a strong one may be weak.
 constexpr float kStrong = 0.5f, kWeak = 0.25f;
@@ -83,9 +81,7 @@ double share_of_triangular_faces(const Surface& surface, float flat) {
 class CreaseFinder {
 public:
     CreaseFinder(const ExtractorData& data, const Surface& surface)
-        : surface_(surface),
-          is_cad_(data.flat_share > kCadShare &&
-                  (1 - share_of_triangular_faces(surface_, flat_)) * data.flat_share > kCadShare) {}
+        : surface_(surface), is_cad_(is_design(data, surface)) {}
 
     std::vector<CreaseEdge> run(float least_angle) const {
         std::vector<CreaseEdge> edges = find_bent_edges();
@@ -130,7 +126,7 @@ private:
     }
 
     Verdict test(const CreaseEdge& edge) const {
-        if (!is_cad_ && edge.angle < kFold && !is_edge_of_form(surface_, edge)) return Verdict::Noise;
+        if (!is_cad_ && !is_edge_of_form(surface_, edge)) return Verdict::Noise;
         if (edge.angle >= kEdgeAngle) return Verdict::Certain;
         if (is_mere_diagonal(surface_, edge.side)) return Verdict::Facet;
         const CreaseJump jump = crease_jump(surface_, edge.side, signed_angle(surface_, edge.side));
@@ -146,6 +142,13 @@ private:
 };
 
 }  // namespace
+
+bool is_design(const ExtractorData& data, const Surface& surface) {
+    const auto is_cad = [](double share) { return share > kCadShare; };
+    return is_cad(data.flat_share) &&
+           is_cad((1 - share_of_triangular_faces(surface, cosine_of(kFlat / kDegrees))) *
+                  data.flat_share);
+}
 
 std::vector<CreaseEdge> find_crease_edges(const ExtractorData& data, const Surface& surface,
                                           float least_angle) {

@@ -35,6 +35,9 @@ struct CreaseEdge {
     bool is_unclear() const { return verdict == Verdict::Unclear; }
 };
 
+/// Whether the mesh was designed: FlatFaces::is_cad_mesh(), and no scan that was subdivided.
+bool is_design(const ExtractorData& data, const Surface& surface);
+
 /// All edges that a style with this crease angle, in degrees, or a larger one may draw. The number
 /// of threads does not matter.
 std::vector<CreaseEdge> find_crease_edges(const ExtractorData& data, const Surface& surface,

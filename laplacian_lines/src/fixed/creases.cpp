@@ -27,6 +27,7 @@ constexpr std::uint32_t kPiecesOfAFault = 6;  // fewer per fault are ragged
 /// The creases that a style draws, joined to lines.
 struct TracedCreases {
     float least_angle, shortest_line;  ///< of the style
+    bool is_design;
     LineSet lines;  ///< points in mesh coordinates; gradient: the larger angle of the edges
     /// By point, the edge from it to the next point of its line; null for the last.
     std::vector<const CreaseEdge*> edges;
@@ -39,10 +40,11 @@ struct CreaseNet {
     /// Loose ends, and facets between two of the edges whose third side is bent but no crease.
     std::uint32_t faults = 0;
 
-    bool is_drawn(float shortest_line) const {
+    /// Small holes of designs are, but no few edges of a scan.
+    bool is_drawn(float shortest_line, bool is_design) const {
         const bool is_ragged =
             pieces < kPiecesOfAFault * faults && length < kRaggedPiece * float(pieces);
-        return !is_ragged && length >= kShortNet * shortest_line;
+        return !is_ragged && ((is_design && faults == 0) || length >= kShortNet * shortest_line);
     }
 };
 
@@ -70,7 +72,9 @@ public:
         for (const PieceGraph::Line& line : lines)
             add(line, nets[connected.root(line.nodes[0])]);
         for (const PieceGraph::Line& line : lines) {
-            if (!nets[connected.root(line.nodes[0])].is_drawn(traced.shortest_line)) continue;
+            if (!nets[connected.root(line.nodes[0])].is_drawn(traced.shortest_line,
+                                                              traced.is_design))
+                continue;
             const Polyline& appended = append_line(
                 data, LineKind::Crease, line,
                 [&](std::uint32_t n) -> const Eigen::Vector3f& { return positions_[n]; },
@@ -203,6 +207,7 @@ private:
             auto traced = std::make_shared<TracedCreases>();
             traced->least_angle = least_angle;
             traced->shortest_line = shortest_line;
+            traced->is_design = is_design(data, *all.surface(data));
             CreaseTracer(edges(data, all, least_angle), least_angle).run(data, *traced);
             traced_ = std::move(traced);
         }

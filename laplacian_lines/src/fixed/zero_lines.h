@@ -76,9 +76,9 @@ ZeroPiece zero_piece(const PlacedCluster& placed, unsigned triangle, const bool 
 ZeroLines trace_zeros(const ExtractorData& data, LineKind kind, float least_length,
                       const std::vector<ZeroPieces>& pieces);
 
-/// The pieces in all clusters, but for enclosed triangles: Cluster(placed, more...) has
-/// add(triangle, pieces), which appends the one in a triangle, if any. Any number of threads gives
-/// the same.
+/// The pieces in all clusters, but for enclosed triangles, whose form is that of their edges:
+/// Cluster(placed, more...) has add(triangle, pieces), which appends the one in a triangle, if any.
+/// Any number of threads gives the same.
 template <class Cluster, class... More>
 ZeroLines find_zero_lines(const ExtractorData& data, LineKind kind, float least_length,
                           const More&... more) {

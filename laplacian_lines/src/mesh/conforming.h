@@ -22,6 +22,7 @@ struct Precision {
     double of_floats;       ///< by the largest coordinate
     double of_coordinates;  ///< the same if all are floats, as in most files; smaller otherwise
 };
+/// Of the positions in the box of those that triangles use.
 Precision precision_of(const std::vector<Eigen::Vector3d>& positions,
                        const Eigen::AlignedBox3d& box);
 

@@ -19,6 +19,9 @@ constexpr double kLargeFace = 0.02, kShareOfLarge = 0.33;
 constexpr double kLikeWidth = 0.25, kMostAlike = 0.25;
 constexpr double kLeastBulge = 5e-4;  // D: a tenth of a millimetre of a drawing
 
+// Of a face's area, of the sum of its vectors: neighbours within .1° may turn by more together.
+constexpr double kFlatShare = 0.9998;  // 1° to each side
+
 /// What bounds a face, local units. Soft: at less than a sharp edge's angle.
 struct Bounds {
     double length = 0, soft_length = 0;
@@ -119,7 +122,12 @@ FlatFaces flat_faces(const PreparedMesh& mesh, const CornerTable& sides) {
 
 std::vector<FaceShape> face_shapes(const PreparedMesh& mesh, const CornerTable& sides,
                                    const FlatFaces& faces) {
-    std::vector<std::uint8_t> goes_on(faces.face_of.size());  // softly, by first triangle
+    // by first triangle: normals times areas, twice, and whether it goes on softly
+    std::vector<Eigen::Vector3d> vectors(faces.face_of.size(), Eigen::Vector3d::Zero());
+    std::vector<std::uint8_t> goes_on(faces.face_of.size());
+    for (std::size_t t = 0; t < vectors.size(); ++t)
+        if (faces.has_several[faces.face_of[t]])
+            vectors[faces.face_of[t]] += area_vector(mesh, mesh.triangles[t]);
     for_each_bound(mesh, sides, faces,
                    [&](std::uint32_t face, double, double cosine, std::uint32_t) {
                        if (cosine > kSharpCosine) goes_on[face] = 1;
@@ -129,7 +137,8 @@ std::vector<FaceShape> face_shapes(const PreparedMesh& mesh, const CornerTable& 
     std::vector<FaceShape> shapes(faces.face_of.size(), FaceShape::Curved);
     for_each_element(shapes.size(), [&](std::size_t t) {
         const std::uint32_t face = faces.face_of[t];
-        if (!faces.has_several[face]) return;
+        if (!faces.has_several[face] || vectors[face].norm() < kFlatShare * faces.areas[face])
+            return;
         if (!goes_on[face])
             shapes[t] = FaceShape::Enclosed;
         else if (!bounds.empty() && bounds[face].is_no_facet())

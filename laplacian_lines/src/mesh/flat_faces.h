@@ -42,13 +42,13 @@ FlatFaces flat_faces(const PreparedMesh& mesh, const CornerTable& sides);
 
 /// What a triangle belongs to.
 enum class FaceShape : std::uint8_t {
-    Curved,   ///< a curved surface, or one triangle alone
-    Flat,     ///< a face that goes on smoothly somewhere, but is no facet of a curved surface
-    Enclosed  ///< a face with sharp edges or borders alone
+    Curved,   ///< a curved surface, or a single triangle
+    Flat,     ///< a face with an edge of less than 40°, but no facet of a curved surface
+    Enclosed  ///< a face with sharp edges, borders and edges of three triangles alone
 };
 
-/// By triangle. Flat faces, which only CAD meshes have, do not go on to facets that are about as
-/// wide as they are, and would bulge if they were curved.
+/// By triangle. Flat faces, which only CAD meshes have, do not go on to facets that are a quarter
+/// as wide as they are, or wider, and would bulge if they were curved.
 std::vector<FaceShape> face_shapes(const PreparedMesh& mesh, const CornerTable& sides,
                                    const FlatFaces& faces);
 

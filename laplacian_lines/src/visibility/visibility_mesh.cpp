@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the edges of a surface are found, see find_edges():
 //  1. Merge equal vertices, unfold needles, drop triangles without height and duplicates.
-//  2. Merge vertices across cracks, also those that the dropped triangles leave.
+//  2. Merge vertices across cracks, also those that the dropped triangles leave; unfold needles
+//  that
+//     have neighbours now.
 //  3. Find where triangles intersect (cuts) or touch (vertices on edges).
 //  4. Merge ends of cuts with the vertices that they coincide with; find vertices on cuts; move
 //     vertices on edges onto them.
@@ -189,6 +191,7 @@ void find_edges(VisibilityMesh& mesh, const StageProgress& stage) {
     const std::vector<std::uint32_t> place_of =  // 2
         make_conforming(mesh.positions, {mesh.precision, kCrack}, mesh.triangles);
     mesh.triangles = with_places(std::move(mesh.triangles), place_of);
+    unfold_needles(mesh.positions, mesh.triangles);
     drop_triangles(mesh);
     stage.report(0.3);
     const auto corners = std::uint32_t(mesh.positions.size());

@@ -16,6 +16,7 @@ using Eigen::Vector2d;
 
 constexpr double kShortestDouble = 4;  // reaches; where lines meet they are near for a while
 constexpr double kStepShare = 0.25;    // of the reach: between the places of a line looked at
+constexpr double kClosedGap = 1.5;     // reaches: round ends of strokes, .4 of which it is, meet
 constexpr int kOverlap = 5;            // of these places, a little more than a reach
 // Short lines, of up to two shortest doubles, with this share beside others add nothing.
 constexpr double kMostBeside = 0.8;
@@ -84,8 +85,8 @@ public:
             is_same[i] = is_double_[i] &&
                          there.run_along(points_[i].position, way_at(i), kSameReach * reach);
         }
+        forget_gaps(is_beside, kClosedGap * reach);
         forget_short_runs(is_double_, kShortestDouble * reach);
-        forget_gaps(is_beside, reach);
         forget_short_runs(is_same, kStepShare * reach / 2);
         for (int i = 0; i < kOverlap; ++i)
             shorten_runs();
@@ -129,8 +130,8 @@ private:
         }
     }
 
-    /// Between lines that it doubles, one after the other, where there is white between them.
-    void forget_gaps(const std::vector<bool>& is_beside, double reach) {
+    /// Between lines that it doubles, one after the other, where more is between them.
+    void forget_gaps(const std::vector<bool>& is_beside, double longest) {
         const auto first = std::find(is_beside.begin(), is_beside.end(), true);
         for (auto begin = std::find(first, is_beside.end(), false); begin != is_beside.end();) {
             const auto end = std::find(begin, is_beside.end(), true);
@@ -139,7 +140,7 @@ private:
             for (auto i = begin - is_beside.begin(); i < end - is_beside.begin(); ++i)
                 length += (points_[std::size_t(i)].position - points_[std::size_t(i) - 1].position)
                               .norm();
-            if (length > reach)
+            if (length > longest)
                 std::fill(is_double_.begin() + (begin - is_beside.begin()),
                           is_double_.begin() + (end - is_beside.begin()), false);
             begin = std::find(end, is_beside.end(), false);

@@ -115,10 +115,9 @@ bool DrawnLines::Piece::is_along(const Vector2d& way) const {
     return std::abs((end - begin).normalized().dot(way)) >= kAlongCosine;
 }
 
-bool DrawnLines::Piece::ends_before(const Vector2d& point) const {
-    const Vector2d way = end - begin;
-    const double t = way.dot(point - begin) / way.squaredNorm();
-    return t < -kEndShare || t > 1 + kEndShare;
+bool DrawnLines::Piece::is_passed(const Vector2d& point, double by) const {
+    const double length = (end - begin).norm(), at = (end - begin).dot(point - begin) / length;
+    return at < -by || at > length + by;
 }
 
 bool DrawnLines::Piece::is_within(double distance, const Vector2d& point) const {
@@ -176,13 +175,15 @@ bool DrawnLines::run_along(const Vector2d& point, const Vector2d& way, double wi
 
 bool DrawnLines::run_beside(const Vector2d& point, const Vector2d& way, double within) const {
     return any_piece_near(point, within, [&](const Piece& piece) {
-        return piece.is_along(way) && !piece.ends_before(point) && piece.is_within(within, point);
+        return piece.is_along(way) && !piece.is_passed(point, kSameReach * reach_) &&
+               piece.is_within(within, point);
     });
 }
 
 bool DrawnLines::is_beside(const Vector2d& point, double within) const {
     return any_piece_near(point, within, [&](const Piece& piece) {
-        return !piece.ends_before(point) && piece.is_within(within, point);
+        const double by = kEndShare * (piece.end - piece.begin).norm();
+        return !piece.is_passed(point, by) && piece.is_within(within, point);
     });
 }
 

@@ -31,9 +31,10 @@ public:
 
     void add(const std::vector<Eigen::Vector2d>& line, std::size_t number = 0);
 
-    /// Whether a line this near runs along the unit direction `way`, within 20°; the second one: so
-    /// that the point is not beyond its end.
+    /// Whether a line this near runs along the unit direction `way`, within 20°.
     bool run_along(const Eigen::Vector2d& point, const Eigen::Vector2d& way, double within) const;
+
+    /// The same of lines beyond whose ends the point is not.
     bool run_beside(const Eigen::Vector2d& point, const Eigen::Vector2d& way, double within) const;
 
     /// Whether `point` is this near beside a line in any direction, not beyond its end.
@@ -68,7 +69,8 @@ private:
         std::size_t line;
 
         bool is_along(const Eigen::Vector2d& way) const;
-        bool ends_before(const Eigen::Vector2d& point) const;
+        /// Whether a point is before its begin or beyond its end by more than that.
+        bool is_passed(const Eigen::Vector2d& point, double by) const;
         bool is_within(double distance, const Eigen::Vector2d& point) const;
     };
     using Cell = std::uint64_t;

@@ -19,7 +19,6 @@ constexpr double kLeastWhite = 0.5;  // beside outlines
 // that is left out whole, not where it happens to be nearer.
 constexpr double kClearWhite = 1;
 constexpr double kLeastApart = 0.5;  // of a line, with white beside stronger ones
-constexpr double kLowStep = 4;       // in depth: what is behind it is of the same form
 constexpr double kShortestStroke = 6;
 constexpr double kLeastExtent = 4;    // √h: what is folded within it is a knot
 constexpr double kLeastInk = 6;       // mean weight times length
@@ -57,18 +56,17 @@ void sort_by_strength(std::vector<DrawnLine>& lines) {
 }
 
 /// Whether a line is of the form, not of its curvature.
-bool is_edge(const DrawnLine& line) {
+bool is_of_form(const DrawnLine& line) {
     return !is_on_curved(line) && line.line_class != LineClass::Hidden;
 }
 
-/// Whether an edge of the form, or of a low step, has others on both sides along half of it, with
-/// less than the least white between: of grooves, threads and knurls at a small scale.
+/// Whether an edge or a contour of the form has others on both sides along half of it, with less
+/// than the least white between: of grooves, threads and knurls at a small scale.
 bool is_crowded(const DrawnLine& line, std::size_t number, const DrawnLines& edges,
                 const Pens& pens) {
     const double pen = pens[std::size_t(LineClass::Inner)],
                  nearest = pens[std::size_t(line.line_class)] + kLeastWhite * pen;
-    const bool is_step = line.line_class == LineClass::Contour && line.jump < kLowStep * pen;
-    return (line.line_class == LineClass::Edge || is_step) &&
+    return (line.line_class == LineClass::Edge || line.line_class == LineClass::Contour) &&
            share_between(line, number, edges, nearest) >= kLeastApart;
 }
 
@@ -316,7 +314,7 @@ std::vector<DrawnLine> thin_out(std::vector<DrawnLine> lines, const Pens& pens) 
     const double pen = pens[std::size_t(LineClass::Inner)];
     DrawnLines edges(kBetweenLines * pen);
     for (std::size_t i = 0; i < lines.size(); ++i)
-        if (is_edge(lines[i])) edges.add(positions_of(lines[i]), i);
+        if (is_of_form(lines[i])) edges.add(positions_of(lines[i]), i);
     Thinning thinning(pens);
     std::vector<DrawnLine> result, crowded, contours, inner;
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -324,7 +322,7 @@ std::vector<DrawnLine> thin_out(std::vector<DrawnLine> lines, const Pens& pens) 
                                         : is_curved_contour(lines[i])          ? contours
                                         : is_crowded(lines[i], i, edges, pens) ? crowded
                                                                                : result;
-        if (&group == &result && is_edge(lines[i])) thinning.add_outline(lines[i]);
+        if (&group == &result && is_of_form(lines[i])) thinning.add_outline(lines[i]);
         group.push_back(std::move(lines[i]));
     }
     sort_by_strength(crowded);
