@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the edges of a surface are found, see find_edges():
-//  1. Merge equal vertices, unfold needles, drop triangles without height and duplicates.
-//  2. Merge vertices across cracks, also those that the dropped triangles leave; unfold needles
-//  that
-//     have neighbours now.
+//  1. Merge equal vertices, also across cracks; unfold needles, drop triangles without height and
+//     duplicates.
+//  2. Close the slits that dropped triangles leave.
 //  3. Find where triangles intersect (cuts) or touch (vertices on edges).
 //  4. Merge ends of cuts with the vertices that they coincide with; find vertices on cuts; move
 //     vertices on edges onto them.
@@ -20,7 +19,6 @@
 #include "mesh/bounding_box.h"
 #include "mesh/box_tree.h"
 #include "mesh/conforming.h"
-#include "mesh/equal_positions.h"
 #include "mesh/needles.h"
 #include "system/equal_elements.h"
 #include "visibility/edge_building.h"
@@ -182,17 +180,23 @@ void straighten(const std::vector<Contact>& on_edges, VisibilityMesh& mesh) {
         }
 }
 
+/// Makes triangles use the same vertices where these, or sides, are as near as cracks are wide.
+void merge_places(double crack, VisibilityMesh& mesh) {
+    const std::vector<std::uint32_t> place_of =
+        make_conforming(mesh.positions, {mesh.precision, crack}, mesh.triangles);
+    mesh.triangles = with_places(std::move(mesh.triangles), place_of);
+}
+
 /// The steps above.
 void find_edges(VisibilityMesh& mesh, const StageProgress& stage) {
-    mesh.triangles =
-        with_places(std::move(mesh.triangles), first_equal_positions(mesh.positions));  // 1
+    merge_places(kCrack, mesh);  // 1
     unfold_needles(mesh.positions, mesh.triangles);
+    const std::size_t count = mesh.triangles.size();
     drop_triangles(mesh);
-    const std::vector<std::uint32_t> place_of =  // 2
-        make_conforming(mesh.positions, {mesh.precision, kCrack}, mesh.triangles);
-    mesh.triangles = with_places(std::move(mesh.triangles), place_of);
-    unfold_needles(mesh.positions, mesh.triangles);
-    drop_triangles(mesh);
+    if (mesh.triangles.size() < count) {  // 2
+        merge_places(mesh.precision, mesh);
+        drop_triangles(mesh);
+    }
     stage.report(0.3);
     const auto corners = std::uint32_t(mesh.positions.size());
     SurfaceContacts contacts = find_surface_contacts(mesh, stage.part(0.4, 0.9));  // 3

@@ -55,7 +55,10 @@ void decide(const VisibilitySegments& all, VisibilityPiece& piece, std::uint32_t
                              is_edge ? mesh.side_count(segment.edge) : 0,
                              is_edge ? mesh.precision : mesh.line_precision, occluder);
     piece.is_hidden = hits.is_hidden;
-    piece.gap = float(hits.gap);
+    // of a crease at a face seen edge-on the ray, which leaves out that face, finds what is inside
+    const bool is_crease =
+        segment.kind == LineKind::Contour && segment.is_exact && !segment.divides;
+    piece.gap = is_crease ? 0 : float(hits.gap);
     piece.is_outline = !hits.is_hidden && std::isinf(hits.gap) && segment.divides &&
                        describe(segment.kind).is_outline;
 }

@@ -19,6 +19,7 @@ constexpr double kLeastWhite = 0.5;  // beside outlines
 // that is left out whole, not where it happens to be nearer.
 constexpr double kClearWhite = 1;
 constexpr double kLeastApart = 0.5;  // of a line, with white beside stronger ones
+constexpr double kLowStep = 4;       // in depth: what is behind it is of the same form
 constexpr double kShortestStroke = 6;
 constexpr double kLeastExtent = 4;    // √h: what is folded within it is a knot
 constexpr double kLeastInk = 6;       // mean weight times length
@@ -60,13 +61,14 @@ bool is_of_form(const DrawnLine& line) {
     return !is_on_curved(line) && line.line_class != LineClass::Hidden;
 }
 
-/// Whether an edge or a contour of the form has others on both sides along half of it, with less
-/// than the least white between: of grooves, threads and knurls at a small scale.
+/// Whether an edge of the form, or of a low step, has others on both sides along half of it, with
+/// less than the least white between: of grooves, threads and knurls at a small scale.
 bool is_crowded(const DrawnLine& line, std::size_t number, const DrawnLines& edges,
                 const Pens& pens) {
     const double pen = pens[std::size_t(LineClass::Inner)],
                  nearest = pens[std::size_t(line.line_class)] + kLeastWhite * pen;
-    return (line.line_class == LineClass::Edge || line.line_class == LineClass::Contour) &&
+    const bool is_step = line.line_class == LineClass::Contour && line.jump < kLowStep * pen;
+    return (line.line_class == LineClass::Edge || is_step) &&
            share_between(line, number, edges, nearest) >= kLeastApart;
 }
 
