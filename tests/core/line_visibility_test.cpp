@@ -101,6 +101,40 @@ TEST(LineVisibility, HasNoBordersWhereTrianglesHaveNoHeight) {
         EXPECT_NE(line.kind, LineKind::Border);
 }
 
+/// Over a polygon, cut into triangles from its first corner.
+TriangleMesh solid_over(const std::vector<Eigen::Vector2d>& corners) {
+    TriangleMesh mesh;
+    const auto n = std::uint32_t(corners.size());
+    for (const double z : {0., 1.})
+        for (const Eigen::Vector2d& p : corners)
+            mesh.positions.push_back({p.x(), p.y(), z});
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const std::uint32_t next = (i + 1) % n;
+        mesh.triangles.insert(mesh.triangles.end(), {{i, next, n + next}, {i, n + next, n + i}});
+        if (i > 0 && next > 0)
+            mesh.triangles.insert(mesh.triangles.end(), {{0, next, i}, {n, n + i, n + next}});
+    }
+    return mesh;
+}
+
+/// A fan of triangles that are lower than the precision, along an edge that is hardly bent.
+TEST(LineVisibility, HasNoSlitsWhereTrianglesHaveNoHeight) {
+    const auto length = [](const std::vector<Eigen::Vector2d>& corners) {
+        auto shows = helpers::all_contours().shows;
+        shows[LineKind::Border] = true;
+        double sum = 0;
+        for (const ViewLine& line :
+             LineVisibility(solid_over(corners)).visible_lines(kAslant, {}, {shows, 0}))
+            for (std::size_t i = 1; i < line.points.size(); ++i)
+                sum += (line.points[i].position - line.points[i - 1].position).norm();
+        return sum;
+    };
+    std::vector<Eigen::Vector2d> square = {{0, 1}, {0, 0}, {1, 0}, {1, 1}}, bent = square;
+    for (int i = 1; i < 8; ++i)
+        bent.push_back({1 - 0.05 * i, 1 + 3e-8 * i * (12 - i)});
+    EXPECT_NEAR(length(bent), length(square), 1e-3);
+}
+
 /// Whichever of its walls the turned eye sees.
 TEST(LineVisibility, HasContoursAllAroundAStepSeenFromAbove) {
     const Scene scene{

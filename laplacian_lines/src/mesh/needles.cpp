@@ -90,7 +90,90 @@ bool unfold(const Positions& positions, Triangle& needle, Triangle& neighbour) {
     return true;
 }
 
+/// Above the longest side.
+double height_of(const Positions& positions, const Triangle& t) {
+    const auto [a, b, v] = from_longest(positions, t);
+    return a == b ? 0 : across(positions, a, b, v).norm();
+}
+
+/// Times twice the area.
+Vector3d normal_of(const Positions& positions, const Triangle& t) {
+    return (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]);
+}
+
+/// The triangles at the edges between some vertices.
+class EdgesAt {
+public:
+    EdgesAt(const std::vector<bool>& is_asked, const std::vector<Triangle>& triangles)
+        : is_asked_(is_asked) {
+        for (std::uint32_t t = 0; t < triangles.size(); ++t)
+            add(triangles[t], t);
+    }
+    void add(const Triangle& corners, std::uint32_t t) {
+        for_each_edge(corners, [&](const Edge& edge) { at_[edge].push_back(t); });
+    }
+    void remove(const Triangle& corners, std::uint32_t t) {
+        for_each_edge(corners, [&](const Edge& edge) {
+            std::vector<std::uint32_t>& at = at_[edge];
+            at.erase(std::remove(at.begin(), at.end(), t), at.end());
+        });
+    }
+    const std::vector<std::uint32_t>& operator[](const Edge& edge) { return at_[edge]; }
+
+private:
+    template <class Visit>
+    void for_each_edge(const Triangle& t, Visit visit) const {
+        if (!has_three_corners(t)) return;
+        for (std::size_t k = 0; k < 3; ++k)
+            if (is_asked_[t[k]] && is_asked_[t[(k + 1) % 3]])
+                visit(edge_between(t[k], t[(k + 1) % 3]));
+    }
+
+    const std::vector<bool>& is_asked_;
+    std::map<Edge, std::vector<std::uint32_t>> at_;
+};
+
 }  // namespace
+
+void flip_low_triangles(const Positions& positions, double least_height,
+                        std::vector<Triangle>& triangles) {
+    auto low = collect<std::uint32_t>(triangles.size(), [&](std::uint32_t t, auto& found) {
+        if (has_three_corners(triangles[t]) && height_of(positions, triangles[t]) <= least_height)
+            found.push_back(t);
+    });
+    std::vector<bool> is_of_low(positions.size());
+    for (const std::uint32_t t : low)
+        for (const std::uint32_t v : triangles[t])
+            is_of_low[v] = true;
+    if (low.empty()) return;
+    EdgesAt at(is_of_low, triangles);
+    const auto flip = [&](std::uint32_t t) {
+        const auto [a, b, v] = from_longest(positions, triangles[t]);
+        const std::vector<std::uint32_t> two = at[edge_between(a, b)];
+        if (two.size() != 2) return false;
+        const std::uint32_t other = two[two[0] == t];
+        Triangle parts[2] = {triangles[other], triangles[other]};  // with its orientation
+        if (third_of(parts[0], edge_between(a, b)) == v) return false;
+        std::replace(parts[0].begin(), parts[0].end(), b, v);
+        std::replace(parts[1].begin(), parts[1].end(), a, v);
+        const double height = height_of(positions, triangles[t]);
+        const Vector3d normal = normal_of(positions, triangles[other]);
+        for (const Triangle& part : parts)
+            if (height_of(positions, part) <= height || normal_of(positions, part).dot(normal) <= 0)
+                return false;
+        for (const std::uint32_t i : two)
+            at.remove(triangles[i], i);
+        triangles[t] = parts[0];
+        triangles[other] = parts[1];
+        for (const std::uint32_t i : two)
+            at.add(triangles[i], i);
+        if (height_of(positions, parts[1]) <= least_height) low.push_back(other);
+        return true;
+    };
+    for (std::size_t i = 0; i < low.size(); ++i)  // each flip leaves higher ones, so it ends
+        while (height_of(positions, triangles[low[i]]) <= least_height && flip(low[i])) {
+        }
+}
 
 void unfold_needles(const Positions& positions, std::vector<Triangle>& triangles) {
     const auto needles =

@@ -14,4 +14,9 @@ namespace laplacian_lines {
 void unfold_needles(const std::vector<Eigen::Vector3d>& positions,
                     std::vector<Triangle>& triangles);
 
+/// Flips the longest sides of triangles that are at most so high, so that none is left where it has
+/// one neighbour there: dropping them would leave slits.
+void flip_low_triangles(const std::vector<Eigen::Vector3d>& positions, double least_height,
+                        std::vector<Triangle>& triangles);
+
 }  // namespace laplacian_lines

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the edges of a surface are found, see find_edges():
-//  1. Merge equal vertices, also across cracks; unfold needles, drop triangles without height and
-//     duplicates.
+//  1. Merge equal vertices, also across cracks; collapse sides without length, unfold needles, flip
+//     triangles without height, and drop those that are left, and duplicates.
 //  2. Close the slits that dropped triangles leave.
 //  3. Find where triangles intersect (cuts) or touch (vertices on edges).
 //  4. Merge ends of cuts with the vertices that they coincide with; find vertices on cuts; move
@@ -20,6 +20,7 @@
 #include "mesh/box_tree.h"
 #include "mesh/conforming.h"
 #include "mesh/needles.h"
+#include "system/disjoint_sets.h"
 #include "system/equal_elements.h"
 #include "visibility/edge_building.h"
 #include "visibility/vertex_lookup.h"
@@ -191,10 +192,24 @@ void merge_places(double crack, VisibilityMesh& mesh) {
     mesh.triangles = with_places(std::move(mesh.triangles), place_of);
 }
 
+/// Makes one vertex of the ends of sides that are not longer than the precision.
+void collapse_short_sides(VisibilityMesh& mesh) {
+    DisjointSets places(mesh.positions.size());
+    for (const Triangle& t : mesh.triangles)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+            if ((mesh.positions[a] - mesh.positions[b]).norm() <= mesh.precision)
+                places.unite(a, b);
+        }
+    mesh.triangles = with_places(std::move(mesh.triangles), places.take_roots());
+}
+
 /// The steps above.
 void find_edges(VisibilityMesh& mesh, const StageProgress& stage) {
     merge_places(kCrack, mesh);  // 1
+    collapse_short_sides(mesh);
     unfold_needles(mesh.positions, mesh.triangles);
+    flip_low_triangles(mesh.positions, mesh.precision, mesh.triangles);
     const std::size_t count = mesh.triangles.size();
     drop_triangles(mesh);
     if (mesh.triangles.size() < count) {  // 2
