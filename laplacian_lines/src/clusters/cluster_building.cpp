@@ -43,19 +43,14 @@ public:
     void build(const StageProgress& stage) {
         stage.report(0);
         const CornerTable sides(mesh_.triangles, mesh_.size());
-        const FlatFaces faces = flat_faces(mesh_, sides);
-        data_.flat_share = faces.share;
-        // edges of rough meshes, and faces between them, are those of noise or of voxels
-        shapes_ = data_.is_rough ? std::vector<FaceShape>(mesh_.triangles.size(), FaceShape::Curved)
-                                 : face_shapes(mesh_, sides, faces);
-        featureless_ = find_featureless_triangles(mesh_, shapes_);
+        judge_faces(sides);
         partition_ = partition(mesh_, sides);
         stage.report(kPartitioned);
         links_ = link_clusters(mesh_, sides, partition_);
         data_.border_edge_count = links_.number_count;
         data_.vertex_count = std::uint32_t(mesh_.size());
         judge_borders();
-        if (follows_edges(mesh_, faces.is_cad_mesh(), field_))
+        if (follows_edges(mesh_, data_.flat_share > kCadShare, field_))
             data_.horizon = find_edge_horizon(mesh_, sides, data_.is_body);
         find_convex();
         stage.report(kLinked);
@@ -78,6 +73,15 @@ private:
         for (const Triangle& t : mesh_.triangles)
             if (!convex_[t[0]] || !convex_[t[1]] || !convex_[t[2]])
                 convex_around_[t[0]] = convex_around_[t[1]] = convex_around_[t[2]] = 0;
+    }
+
+    void judge_faces(const CornerTable& sides) {
+        const FlatFaces faces = flat_faces(mesh_, sides);
+        data_.flat_share = faces.share;
+        // edges of rough meshes, and faces between them, are those of noise or of voxels
+        shapes_ = data_.is_rough ? std::vector<FaceShape>(mesh_.triangles.size(), FaceShape::Curved)
+                                 : face_shapes(mesh_, sides, faces);
+        featureless_ = find_featureless_triangles(mesh_, shapes_);
     }
 
     void judge_borders() {

@@ -28,7 +28,7 @@ constexpr double kLong = 0.02;  // D: over four of the least kernels
 
 /// Whether the zero of n·v in a triangle may be far from the horizon of the triangles.
 bool is_coarse(const PreparedMesh& mesh, const Field& field, const Triangle& t, bool is_cad) {
-    const double squared_size = longest_squared(mesh, t);
+    const double squared_size = longest_squared(mesh.positions, t);
     const auto is_larger = [&](double size) { return squared_size > size * size; };
     if (is_rough(field.report)) return is_larger(kLargestRoughTriangle);
     const Eigen::Vector3d plane = area_vector(mesh, t);
@@ -95,9 +95,10 @@ std::vector<std::uint8_t> find_featureless_triangles(const PreparedMesh& mesh,
         const Triangle& t = mesh.triangles[i];
         const auto is_flat = [&](std::uint32_t v) { return cosines[v] >= kFlatCosine; };
         const auto is_clear = [&](std::uint32_t v) { return is_flat(v) || is_sharp(cosines[v]); };
-        featureless[i] =
-            shapes[i] != FaceShape::Curved || std::all_of(t.begin(), t.end(), is_flat) ||
-            (std::all_of(t.begin(), t.end(), is_clear) && longest_squared(mesh, t) > kLong * kLong);
+        featureless[i] = shapes[i] != FaceShape::Curved ||
+                         std::all_of(t.begin(), t.end(), is_flat) ||
+                         (std::all_of(t.begin(), t.end(), is_clear) &&
+                          longest_squared(mesh.positions, t) > kLong * kLong);
     });
     return featureless;
 }

@@ -41,8 +41,8 @@ double vertex_noise(const PreparedMesh& mesh, const VertexRanges& ranges,
 constexpr double kLargestRoughness = 0.5;
 
 /// MeshReport::roughness, from unsmoothed vertex normals: the larger of noise (vertex_noise()) and
-/// of terraces, in units of what automatic_normal_sigma() smooths; of CAD meshes that of terraces,
-/// and 0 of those whose triangles are uneven.
+/// of terraces, in units of what automatic_normal_sigma() smooths; of CAD meshes that of terraces
+/// if triangles are even and faces those of voxels, else 0.
 /// Mean edges are multiplied by relative_sizes[v].
 double measure_roughness(const PreparedMesh& mesh, const VertexRanges& ranges,
                          const SpatialTree& tree, const std::vector<float>& relative_sizes,

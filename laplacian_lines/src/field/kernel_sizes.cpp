@@ -38,10 +38,10 @@ std::vector<float> relative_kernel_sizes(const PreparedMesh& mesh, const VertexR
         return stage.part(double(i) / (kSmoothingPasses + 1),
                           double(i + 1) / (kSmoothingPasses + 1));
     };
-    std::vector<double> lengths = mean_edges(mesh, ranges, part(0), kAllVertices);
+    std::vector<double> lengths = mean_edges(mesh, ranges, part(0));
     for (int pass = 0; pass < kSmoothingPasses; ++pass)
         lengths =
-            mean_over_edges(mesh, ranges, lengths, part(pass + 1), kAllVertices,
+            mean_over_edges(mesh, ranges, lengths, part(pass + 1),
                             [&](std::uint32_t, std::uint32_t other) { return lengths[other]; });
     std::vector<float> ratios(mesh.size());
     for (std::size_t v = 0; v < ratios.size(); ++v)

@@ -138,7 +138,8 @@ bool are_even(const PreparedMesh& mesh) {
     const auto area = [&](std::size_t t) { return area_vector(mesh, mesh.triangles[t]).norm(); };
     const double long_side = kLongSide * mesh.mean_edge;
     const auto long_area = [&](std::size_t t) {
-        return longest_squared(mesh, mesh.triangles[t]) > long_side * long_side ? area(t) : 0;
+        return longest_squared(mesh.positions, mesh.triangles[t]) > long_side * long_side ? area(t)
+                                                                                          : 0;
     };
     const std::size_t count = mesh.triangles.size();
     return sum_of(count, long_area) < kMostUneven * sum_of(count, area);

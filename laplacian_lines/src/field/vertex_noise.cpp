@@ -21,19 +21,17 @@ constexpr double kOfForm = 0.45, kOfNoise = 0.15;
 
 double vertex_noise(const PreparedMesh& mesh, const VertexRanges& ranges,
                     const std::vector<Eigen::Vector3d>& normals, const StageProgress& stage) {
-    const std::size_t step = mesh.size() / kMostSamples + 1;
-    const auto is_asked = [step = std::uint32_t(step)](std::uint32_t v) { return v % step == 0; };
-    const std::vector<double> edges = mean_edges(mesh, ranges, stage.part(0, 0.2), is_asked);
-    const auto height = [&](std::uint32_t v, std::uint32_t other) {
-        return normals[v].dot(mesh.positions[other] - mesh.positions[v]);
-    };
-    const std::vector<double> bumps =
-        mean_over_edges(mesh, ranges, {}, stage.part(0.2, 0.8), kAllVertices, height);
+    const std::vector<double> edges = mean_edges(mesh, ranges, stage.part(0, 0.3));
+    const std::vector<double> bumps = mean_over_edges(
+        mesh, ranges, {}, stage.part(0.3, 0.7), [&](std::uint32_t v, std::uint32_t other) {
+            return normals[v].dot(mesh.positions[other] - mesh.positions[v]);
+        });
     const std::vector<double> around =
-        mean_over_edges(mesh, ranges, {}, stage.part(0.8, 1), is_asked,
+        mean_over_edges(mesh, ranges, {}, stage.part(0.7, 1),
                         [&](std::uint32_t, std::uint32_t other) { return bumps[other]; });
     double products = 0, squares = 0;
     std::vector<double> differences;
+    const std::size_t step = mesh.size() / kMostSamples + 1;
     for (std::size_t v = 0; v < mesh.size(); v += step) {
         differences.push_back(std::abs(bumps[v] - around[v]) / edges[v]);
         const double bump = std::clamp(bumps[v] / edges[v], -kLargestBump, kLargestBump);

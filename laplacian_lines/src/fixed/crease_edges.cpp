@@ -81,9 +81,11 @@ double share_of_triangular_faces(const Surface& surface, float flat) {
 class CreaseFinder {
 public:
     CreaseFinder(const ExtractorData& data, const Surface& surface)
-        : surface_(surface), is_cad_(is_design(data, surface)) {}
+        : surface_(surface),
+          is_cad_(data.flat_share > kCadShare &&
+                  (1 - share_of_triangular_faces(surface_, flat_)) * data.flat_share > kCadShare) {}
 
-    std::vector<CreaseEdge> run(float least_angle) const {
+    CreaseEdges run(float least_angle) const {
         std::vector<CreaseEdge> edges = find_bent_edges();
         in_parallel(edges.size(), [&](std::size_t i) { edges[i].verdict = test(edges[i]); });
         drop_unsupported(edges);
@@ -95,7 +97,7 @@ public:
             return edge.verdict == Verdict::Noise || edge.shown_up_to < least_angle;
         };
         edges.erase(std::remove_if(edges.begin(), edges.end(), is_unused), edges.end());
-        return edges;
+        return {std::move(edges), is_cad_};
     }
 
 private:
@@ -143,15 +145,8 @@ private:
 
 }  // namespace
 
-bool is_design(const ExtractorData& data, const Surface& surface) {
-    const auto is_cad = [](double share) { return share > kCadShare; };
-    return is_cad(data.flat_share) &&
-           is_cad((1 - share_of_triangular_faces(surface, cosine_of(kFlat / kDegrees))) *
-                  data.flat_share);
-}
-
-std::vector<CreaseEdge> find_crease_edges(const ExtractorData& data, const Surface& surface,
-                                          float least_angle) {
+CreaseEdges find_crease_edges(const ExtractorData& data, const Surface& surface,
+                              float least_angle) {
     return CreaseFinder(data, surface).run(least_angle);
 }
 

@@ -35,13 +35,15 @@ struct CreaseEdge {
     bool is_unclear() const { return verdict == Verdict::Unclear; }
 };
 
-/// Whether the mesh was designed: FlatFaces::is_cad_mesh(), and no scan that was subdivided.
-bool is_design(const ExtractorData& data, const Surface& surface);
+struct CreaseEdges {
+    std::vector<CreaseEdge> edges;
+    /// Whether the mesh was designed: FlatFaces::is_cad_mesh(), and no scan that was subdivided.
+    bool is_design = false;
+};
 
 /// All edges that a style with this crease angle, in degrees, or a larger one may draw. The number
 /// of threads does not matter.
-std::vector<CreaseEdge> find_crease_edges(const ExtractorData& data, const Surface& surface,
-                                          float least_angle);
+CreaseEdges find_crease_edges(const ExtractorData& data, const Surface& surface, float least_angle);
 
 // The tests, in the order of crease_edges.cpp, which names them.
 

@@ -27,7 +27,6 @@ constexpr std::uint32_t kPiecesOfAFault = 6;  // fewer per fault are ragged
 /// The creases that a style draws, joined to lines.
 struct TracedCreases {
     float least_angle, shortest_line;  ///< of the style
-    bool is_design;
     LineSet lines;  ///< points in mesh coordinates; gradient: the larger angle of the edges
     /// By point, the edge from it to the next point of its line; null for the last.
     std::vector<const CreaseEdge*> edges;
@@ -52,8 +51,8 @@ struct CreaseNet {
 /// two of them meet. The edges must outlive the result.
 class CreaseTracer {
 public:
-    CreaseTracer(const std::vector<CreaseEdge>& edges, float least_angle) {
-        for (const CreaseEdge& edge : edges) {
+    CreaseTracer(const CreaseEdges& found, float least_angle) : is_design_(found.is_design) {
+        for (const CreaseEdge& edge : found.edges) {
             if (edge.shown_up_to < least_angle) continue;
             edges_.push_back(&edge);
             const std::uint32_t begin = node(edge, 0);
@@ -72,9 +71,8 @@ public:
         for (const PieceGraph::Line& line : lines)
             add(line, nets[connected.root(line.nodes[0])]);
         for (const PieceGraph::Line& line : lines) {
-            if (!nets[connected.root(line.nodes[0])].is_drawn(traced.shortest_line,
-                                                              traced.is_design))
-                continue;
+            const CreaseNet& net = nets[connected.root(line.nodes[0])];
+            if (!net.is_drawn(traced.shortest_line, is_design_)) continue;
             const Polyline& appended = append_line(
                 data, LineKind::Crease, line,
                 [&](std::uint32_t n) -> const Eigen::Vector3f& { return positions_[n]; },
@@ -124,6 +122,7 @@ private:
                (graph_.pieces_at(line.nodes.back()) == 1);
     }
 
+    const bool is_design_;
     std::vector<const CreaseEdge*> edges_;  // by piece
     PieceGraph graph_;
     std::vector<Eigen::Vector3f> positions_;  // by node
@@ -207,7 +206,6 @@ private:
             auto traced = std::make_shared<TracedCreases>();
             traced->least_angle = least_angle;
             traced->shortest_line = shortest_line;
-            traced->is_design = is_design(data, *all.surface(data));
             CreaseTracer(edges(data, all, least_angle), least_angle).run(data, *traced);
             traced_ = std::move(traced);
         }
@@ -215,17 +213,16 @@ private:
     }
 
     /// Angles below the default are rare, and take long on rough scans.
-    const std::vector<CreaseEdge>& edges(const ExtractorData& data, FixedLines& all,
-                                         float least_angle) const {
+    const CreaseEdges& edges(const ExtractorData& data, FixedLines& all, float least_angle) const {
         const float least = least_angle < kEdgeAngle ? 0 : kEdgeAngle;
         return (least > 0 ? edges_ : more_edges_).get([&] {
             // the edges of rough ones are those of noise or of voxels
-            return data.is_rough ? std::vector<CreaseEdge>()
+            return data.is_rough ? CreaseEdges()
                                  : find_crease_edges(data, *all.surface(data), least);
         });
     }
 
-    mutable OnDemand<std::vector<CreaseEdge>> edges_, more_edges_;
+    mutable OnDemand<CreaseEdges> edges_, more_edges_;
     mutable std::mutex mutex_;
     mutable std::shared_ptr<const TracedCreases> traced_;
 };

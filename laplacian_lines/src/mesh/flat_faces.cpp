@@ -141,7 +141,7 @@ std::vector<FaceShape> face_shapes(const PreparedMesh& mesh, const CornerTable& 
             return;
         if (!goes_on[face])
             shapes[t] = FaceShape::Enclosed;
-        else if (!bounds.empty() && bounds[face].is_no_facet())
+        else if (faces.is_cad_mesh() && bounds[face].is_no_facet())
             shapes[t] = FaceShape::Flat;
     });
     return shapes;

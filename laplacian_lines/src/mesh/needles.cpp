@@ -5,9 +5,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "mesh/sides_by_edge.h"
+#include "mesh/triangle_sizes.h"
 
 namespace laplacian_lines {
 namespace {
@@ -37,10 +42,8 @@ Vector3d across(const Positions& positions, std::uint32_t a, std::uint32_t b, st
 }
 
 bool is_needle(const Positions& positions, const Triangle& t) {
-    const Vector3d u = positions[t[1]] - positions[t[0]], v = positions[t[2]] - positions[t[0]];
-    const double square = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
-    const double squared_height = u.cross(v).squaredNorm() / square;
-    return squared_height < std::min(kNeedle * kNeedle, kSlender * kSlender * square);
+    const double height = height_of(positions, t);
+    return height < kNeedle && height < kSlender * std::sqrt(longest_squared(positions, t));
 }
 
 bool has_three_corners(const Triangle& t) {
@@ -52,60 +55,11 @@ std::uint32_t third_of(const Triangle& t, const Edge& edge) {
                          [&](std::uint32_t v) { return v != edge[0] && v != edge[1]; });
 }
 
-/// The triangles at the longest side of each needle.
-std::map<Edge, std::vector<std::uint32_t>> at_longest_sides(
-    const Positions& positions, const std::vector<Triangle>& triangles,
-    const std::vector<std::uint32_t>& needles) {
-    std::map<Edge, std::vector<std::uint32_t>> at;
-    std::vector<bool> is_end(positions.size());  // few vertices are, so look-ups are rare
-    for (const std::uint32_t n : needles) {
-        const Triangle needle = from_longest(positions, triangles[n]);
-        at[edge_between(needle[0], needle[1])];
-        is_end[needle[0]] = is_end[needle[1]] = true;
-    }
-    for (std::uint32_t t = 0; t < triangles.size(); ++t)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t a = triangles[t][k], b = triangles[t][(k + 1) % 3];
-            if (!is_end[a] || !is_end[b] || !has_three_corners(triangles[t])) continue;
-            const auto edge = at.find(edge_between(a, b));
-            if (edge != at.end()) edge->second.push_back(t);
-        }
-    return at;
-}
-
-/// Flips the longest side of a needle that is folded back over its neighbour there, unless that
-/// makes another needle. Returns whether it did.
-bool unfold(const Positions& positions, Triangle& needle, Triangle& neighbour) {
-    const auto [a, b, v] = from_longest(positions, needle);
-    const std::uint32_t o = third_of(neighbour, edge_between(a, b));
-    Triangle parts[2] = {neighbour, neighbour};  // with its orientation
-    std::replace(parts[0].begin(), parts[0].end(), b, v);
-    std::replace(parts[1].begin(), parts[1].end(), a, v);
-    const Vector3d to_v = across(positions, a, b, v), to_o = across(positions, a, b, o);
-    const bool is_folded = o != v && to_v.dot(to_o) > kLeastCosine * to_v.norm() * to_o.norm();
-    if (!is_folded || is_needle(positions, parts[0]) || is_needle(positions, parts[1]))
-        return false;
-    neighbour = parts[0];
-    needle = parts[1];
-    return true;
-}
-
-/// Above the longest side.
-double height_of(const Positions& positions, const Triangle& t) {
-    const auto [a, b, v] = from_longest(positions, t);
-    return a == b ? 0 : across(positions, a, b, v).norm();
-}
-
-/// Times twice the area.
-Vector3d normal_of(const Positions& positions, const Triangle& t) {
-    return (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]);
-}
-
 /// The triangles at the edges between some vertices.
 class EdgesAt {
 public:
-    EdgesAt(const std::vector<bool>& is_asked, const std::vector<Triangle>& triangles)
-        : is_asked_(is_asked) {
+    EdgesAt(std::vector<bool> is_asked, const std::vector<Triangle>& triangles)
+        : is_asked_(std::move(is_asked)) {
         for (std::uint32_t t = 0; t < triangles.size(); ++t)
             add(triangles[t], t);
     }
@@ -129,49 +83,79 @@ private:
                 visit(edge_between(t[k], t[(k + 1) % 3]));
     }
 
-    const std::vector<bool>& is_asked_;
+    const std::vector<bool> is_asked_;  // few vertices are, so look-ups are rare
     std::map<Edge, std::vector<std::uint32_t>> at_;
 };
+
+std::vector<bool> corners_of(const std::vector<std::uint32_t>& some,
+                             const std::vector<Triangle>& triangles, std::size_t vertices) {
+    std::vector<bool> are_corners(vertices);
+    for (const std::uint32_t t : some)
+        for (const std::uint32_t v : triangles[t])
+            are_corners[v] = true;
+    return are_corners;
+}
+
+/// What a triangle and its neighbour across its longest side become if that side is flipped, with
+/// the orientation of the neighbour; nothing if they have the same corners.
+std::optional<std::array<Triangle, 2>> flipped(const Positions& positions, const Triangle& t,
+                                               const Triangle& neighbour) {
+    const auto [a, b, v] = from_longest(positions, t);
+    if (third_of(neighbour, edge_between(a, b)) == v) return {};
+    std::array<Triangle, 2> parts = {neighbour, neighbour};
+    std::replace(parts[0].begin(), parts[0].end(), b, v);
+    std::replace(parts[1].begin(), parts[1].end(), a, v);
+    return parts;
+}
+
+/// Whether a triangle is folded back over its neighbour across its longest side.
+bool is_folded(const Positions& positions, const Triangle& t, const Triangle& neighbour) {
+    const auto [a, b, v] = from_longest(positions, t);
+    const std::uint32_t o = third_of(neighbour, edge_between(a, b));
+    const Vector3d to_v = across(positions, a, b, v), to_o = across(positions, a, b, o);
+    return to_v.dot(to_o) > kLeastCosine * to_v.norm() * to_o.norm();
+}
+
+/// The triangles at the longest side of one.
+const std::vector<std::uint32_t>& at_longest(const Positions& positions, const Triangle& t,
+                                             EdgesAt& at) {
+    const Triangle from = from_longest(positions, t);
+    return at[edge_between(from[0], from[1])];
+}
 
 }  // namespace
 
 void flip_low_triangles(const Positions& positions, double least_height,
                         std::vector<Triangle>& triangles) {
+    const auto is_low = [&](std::uint32_t t) {
+        return height_of(positions, triangles[t]) <= least_height;
+    };
     auto low = collect<std::uint32_t>(triangles.size(), [&](std::uint32_t t, auto& found) {
-        if (has_three_corners(triangles[t]) && height_of(positions, triangles[t]) <= least_height)
-            found.push_back(t);
+        if (has_three_corners(triangles[t]) && is_low(t)) found.push_back(t);
     });
-    std::vector<bool> is_of_low(positions.size());
-    for (const std::uint32_t t : low)
-        for (const std::uint32_t v : triangles[t])
-            is_of_low[v] = true;
     if (low.empty()) return;
-    EdgesAt at(is_of_low, triangles);
+    EdgesAt at(corners_of(low, triangles, positions.size()), triangles);
     const auto flip = [&](std::uint32_t t) {
-        const auto [a, b, v] = from_longest(positions, triangles[t]);
-        const std::vector<std::uint32_t> two = at[edge_between(a, b)];
+        const std::vector<std::uint32_t> two = at_longest(positions, triangles[t], at);
         if (two.size() != 2) return false;
         const std::uint32_t other = two[two[0] == t];
-        Triangle parts[2] = {triangles[other], triangles[other]};  // with its orientation
-        if (third_of(parts[0], edge_between(a, b)) == v) return false;
-        std::replace(parts[0].begin(), parts[0].end(), b, v);
-        std::replace(parts[1].begin(), parts[1].end(), a, v);
-        const double height = height_of(positions, triangles[t]);
-        const Vector3d normal = normal_of(positions, triangles[other]);
-        for (const Triangle& part : parts)
-            if (height_of(positions, part) <= height || normal_of(positions, part).dot(normal) <= 0)
-                return false;
+        const auto parts = flipped(positions, triangles[t], triangles[other]);
+        const auto is_better = [&](const Triangle& part) {
+            return height_of(positions, part) > height_of(positions, triangles[t]) &&
+                   area_vector(positions, part).dot(area_vector(positions, triangles[other])) > 0;
+        };
+        if (!parts || !is_better((*parts)[0]) || !is_better((*parts)[1])) return false;
         for (const std::uint32_t i : two)
             at.remove(triangles[i], i);
-        triangles[t] = parts[0];
-        triangles[other] = parts[1];
+        triangles[t] = (*parts)[0];
+        triangles[other] = (*parts)[1];
         for (const std::uint32_t i : two)
             at.add(triangles[i], i);
-        if (height_of(positions, parts[1]) <= least_height) low.push_back(other);
+        if (is_low(other)) low.push_back(other);
         return true;
     };
     for (std::size_t i = 0; i < low.size(); ++i)  // each flip leaves higher ones, so it ends
-        while (height_of(positions, triangles[low[i]]) <= least_height && flip(low[i])) {
+        while (is_low(low[i]) && flip(low[i])) {
         }
 }
 
@@ -182,16 +166,20 @@ void unfold_needles(const Positions& positions, std::vector<Triangle>& triangles
                 found.push_back(t);
         });
     if (needles.empty()) return;
-    const auto at = at_longest_sides(positions, triangles, needles);
+    EdgesAt at(corners_of(needles, triangles, positions.size()), triangles);
     std::vector<bool> is_changed(triangles.size());
     for (const std::uint32_t n : needles) {
         if (is_changed[n]) continue;
-        const Triangle needle = from_longest(positions, triangles[n]);
-        const std::vector<std::uint32_t>& two = at.at(edge_between(needle[0], needle[1]));
+        const std::vector<std::uint32_t>& two = at_longest(positions, triangles[n], at);
         if (two.size() != 2) continue;
         const std::uint32_t other = two[two[0] == n];
-        if (!is_changed[other] && unfold(positions, triangles[n], triangles[other]))
-            is_changed[other] = is_changed[n] = true;
+        if (is_changed[other] || !is_folded(positions, triangles[n], triangles[other])) continue;
+        const auto parts = flipped(positions, triangles[n], triangles[other]);
+        if (!parts || is_needle(positions, (*parts)[0]) || is_needle(positions, (*parts)[1]))
+            continue;
+        triangles[other] = (*parts)[0];
+        triangles[n] = (*parts)[1];
+        is_changed[other] = is_changed[n] = true;
     }
 }
 

@@ -44,11 +44,8 @@ using Positions = std::vector<Eigen::Vector3d>;
 
 /// Also if a corner is not finite, or so far off that squares are not.
 bool is_degenerate(const Positions& positions, const Triangle& t) {
-    const Eigen::Vector3d u = positions[t[1]] - positions[t[0]],
-                          v = positions[t[2]] - positions[t[0]];
-    const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (v - u).squaredNorm()});
-    const double least = kLeastSine * longest;
-    return !(u.cross(v).squaredNorm() > least * least);
+    const double least = kLeastSine * longest_squared(positions, t);
+    return !(area_vector(positions, t).squaredNorm() > least * least);
 }
 
 void check_indices(const TriangleMesh& mesh) {
@@ -216,19 +213,6 @@ double coarse_step(const TriangleMesh& mesh, const PreparedMesh& prepared) {
 }
 
 }  // namespace
-
-Eigen::Vector3d area_vector(const PreparedMesh& mesh, const Triangle& t) {
-    const Eigen::Vector3d& a = mesh.positions[t[0]];
-    return (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
-}
-
-double longest_squared(const PreparedMesh& mesh, const Triangle& t) {
-    double longest = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-        longest = std::max(longest,
-                           (mesh.positions[t[k]] - mesh.positions[t[(k + 1) % 3]]).squaredNorm());
-    return longest;
-}
 
 std::vector<Triangle> conforming_triangles(const TriangleMesh& mesh) {
     check_indices(mesh);

@@ -9,6 +9,7 @@
 #include "laplacian_lines/triangle_mesh.h"
 #include "mesh/midpoints.h"
 #include "mesh/spatial_tree.h"
+#include "mesh/triangle_sizes.h"
 
 namespace laplacian_lines {
 
@@ -58,9 +59,8 @@ PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const UndoLim
 SpatialTree sort_in_space(PreparedMesh& mesh);
 
 /// Twice the area of a triangle times its unit normal.
-Eigen::Vector3d area_vector(const PreparedMesh& mesh, const Triangle& t);
-
-/// The square of a triangle's longest side.
-double longest_squared(const PreparedMesh& mesh, const Triangle& t);
+inline Eigen::Vector3d area_vector(const PreparedMesh& mesh, const Triangle& t) {
+    return area_vector(mesh.positions, t);
+}
 
 }  // namespace laplacian_lines

@@ -20,6 +20,7 @@
 #include "mesh/box_tree.h"
 #include "mesh/conforming.h"
 #include "mesh/needles.h"
+#include "mesh/triangle_sizes.h"
 #include "system/disjoint_sets.h"
 #include "system/equal_elements.h"
 #include "visibility/edge_building.h"
@@ -42,13 +43,6 @@ bool is_finite(const TriangleMesh& mesh, const Triangle& t) {
             throw Error(ErrorCode::InvalidMesh, "A triangle names a vertex that is not there.");
         return mesh.positions[v].allFinite();
     });
-}
-
-/// Above the longest side.
-double height_of(const VisibilityMesh& mesh, const Triangle& t) {
-    const Vector3d &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
-    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-    return longest > 0 ? (b - a).cross(c - a).norm() / longest : 0;
 }
 
 /// Keeps those for which keep(triangle).
@@ -78,8 +72,9 @@ std::vector<std::uint32_t> first_equal_triangles(const std::vector<Triangle>& tr
 
 /// Drops triangles without height, and all but one of those with the same corners.
 void drop_triangles(VisibilityMesh& mesh) {
-    keep_triangles(
-        mesh, [&](std::uint32_t t) { return height_of(mesh, mesh.triangles[t]) > mesh.precision; });
+    keep_triangles(mesh, [&](std::uint32_t t) {
+        return height_of(mesh.positions, mesh.triangles[t]) > mesh.precision;
+    });
     const std::vector<std::uint32_t> first = first_equal_triangles(mesh.triangles);
     keep_triangles(mesh, [&](std::uint32_t t) { return first[t] == t; });
 }
@@ -244,9 +239,7 @@ std::uint32_t VisibilityMesh::edge_between(std::uint32_t a, std::uint32_t b) con
 }
 
 Vector3d VisibilityMesh::normal(std::uint32_t triangle) const {
-    const Triangle& t = triangles[triangle];
-    const Vector3d& a = positions[t[0]];
-    return (positions[t[1]] - a).cross(positions[t[2]] - a).normalized();
+    return area_vector(positions, triangles[triangle]).normalized();
 }
 
 VisibilityMesh build_visibility_mesh(const TriangleMesh& mesh, const StageProgress& stage) {

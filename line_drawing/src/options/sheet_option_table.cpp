@@ -110,8 +110,7 @@ std::vector<SheetOption> make_table() {
          {"none", "all"}},
         text(&S::kinds, "kinds", "Kinds of Lines",
              "With the outlines: usual (laplacian_lines, ridges, borders, creases), creases alone, "
-             "as "
-             "for machine parts, apparent_ridges and so on; a wrong one lists all.",
+             "as for machine parts, apparent_ridges and so on; a wrong one lists all.",
              "NAMES", Place::Command),
         text(&S::kernel, "kernel", "Kernel on Paper",
              "Detail of inner lines: a length on paper, or a share of the object's diagonal; "
