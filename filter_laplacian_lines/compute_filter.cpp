@@ -28,8 +28,8 @@ namespace {
 std::vector<laplacian_lines::OptionRow<PrecomputeOptions>> make_table() {
     std::vector<laplacian_lines::OptionRow<PrecomputeOptions>> rows;
     for (const std::string key :
-         {"kernel_size", "kernel_mode", "normal_smoothing", "normal_sigma", "bilateral_angle",
-          "weld_duplicates", "laplace_operator", "gradient_estimator", "curvature_derivatives"})
+         {"kernel_size", "normal_smoothing", "normal_sigma", "weld_duplicates", "laplace_operator",
+          "gradient_estimator", "curvature_derivatives"})
         for (const auto& row : laplacian_lines::precompute_option_table())
             if (row.key == key) rows.push_back(row);
     return rows;
@@ -112,7 +112,7 @@ QString smoothing_line(const Field& field, const PrecomputeOptions& options) {
                       : QString(" as they are"));
 }
 
-/// "Kernel: Uniform, Normal Smoothing: Gaussian, ..."
+/// "Normal Smoothing: Gaussian, ..."
 QString choices_line(const PrecomputeOptions& options) {
     QStringList parts;
     for (const auto& row : option_table())

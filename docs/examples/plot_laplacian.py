@@ -18,14 +18,15 @@ _, mesh, picture = sys.argv
 try:
     vertices, triangles = laplacian_lines.read_mesh(mesh)
     # A larger kernel_size, a length, shows less of the noise. 0 is automatic.
-    field = laplacian_lines.field((vertices, triangles), kernel_size=0)
+    surface = laplacian_lines.Surface((vertices, triangles), kernel_size=0)
 except (OSError, laplacian_lines.Error) as error:
     sys.exit(f"{mesh} cannot be plotted: {error}")
 
 # The results are arrays with a row per vertex. Δn has the unit 1/length²; times the square of the kernel size it is a
 # number without a unit, the same for a model in millimetres and in metres. Vertices without a triangle hold zeros.
-bending = numpy.linalg.norm(field["ll_laplacian_normal"], axis=1) * field["ll_kernel_size"] ** 2
-low, high = numpy.percentile(bending[field["ll_kernel_size"] > 0], (2, 98))
+field = surface.field()
+bending = numpy.linalg.norm(field["ll_laplacian_normal"], axis=1) * surface.measures()["kernel_size"] ** 2
+low, high = numpy.percentile(bending[field["ll_normal"].any(axis=1)], (2, 98))
 
 # Triangles that face the eye, the farthest first, darker where they turn away.
 corners = vertices[triangles]

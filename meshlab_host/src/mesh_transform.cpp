@@ -51,8 +51,6 @@ void apply_transform(const Similarity& similarity, Field& field) {
         s = shape_operator_of(rotation * matrix_of(s) * rotation.transpose() / factor);
     field.smooth_curvatures.clear();
     field.curvature_derivatives.clear();
-    for (float& size : field.kernel_sizes)
-        size *= factor;
     for (double* length : {&field.scale.diagonal, &field.scale.mean_edge, &field.scale.kernel_size,
                            &field.scale.normal_sigma})
         *length *= similarity.factor;

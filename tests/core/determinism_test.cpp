@@ -47,18 +47,17 @@ Field with_threads(int threads, const TriangleMesh& mesh, const PrecomputeOption
 /// Calls visit(mesh, options) where fields are summed in all ways.
 template <class Visit>
 void for_each_way(const Visit& visit) {
-    PrecomputeOptions other, adaptive, by_grid;
-    other.kernel_mode = adaptive.kernel_mode = KernelMode::Adaptive;
+    PrecomputeOptions other, directly, by_grid;
     other.gradient_estimator = GradientEstimator::LeastSquares;
-    other.normal_smoothing = NormalSmoothing::Bilateral;
-    other.curvature_derivatives = adaptive.curvature_derivatives = true;
-    adaptive.normal_weighting = NormalWeighting::Max;
+    other.curvature_derivatives = directly.curvature_derivatives = true;
+    other.normal_sigma = 1;
+    directly.accuracy = 1e-4;
     by_grid.kernel_size = 0.2;
     for (const char* name : {"hills", "three_sheets", "dirty_torus"})
         visit(test_meshes::mesh_named(name).mesh, other);
     // Several ranges of vertices, and parts of the tree built in parallel.
     const TriangleMesh large = test_meshes::torus(200, 100, 0.2).mesh;
-    for (const PrecomputeOptions& options : {PrecomputeOptions(), adaptive, by_grid})
+    for (const PrecomputeOptions& options : {PrecomputeOptions(), directly, by_grid})
         visit(large, options);
 }
 

@@ -57,7 +57,8 @@ void expect_equivariant(const Eigen::Matrix3d& rotation, double scale,
         size += expected.squaredNorm();
     }
     EXPECT_LT(std::sqrt(error / size), tolerance);
-    EXPECT_FLOAT_EQ(moved.kernel_sizes[0], float(scale) * field.kernel_sizes[0]);
+    EXPECT_NEAR(moved.scale.kernel_size, scale * field.scale.kernel_size,
+                1e-6 * moved.scale.kernel_size);
 }
 
 const Eigen::Matrix3d kTurn =

@@ -24,7 +24,6 @@ Field true_field(const AnalyticMesh& surface, const FieldScale& scale) {
         field.normals.push_back(p.normal.cast<float>());
         field.laplacian_normals.push_back(p.laplacian_normal.cast<float>());
         field.shape_operators.push_back({s(0, 0), s(1, 1), s(2, 2), s(1, 2), s(0, 2), s(0, 1)});
-        field.kernel_sizes.push_back(float(scale.kernel_size));
         field.smooth_curvatures.push_back(
             helpers::curvature_entries(p.shape_operator, field.normals.back()).cast<float>());
         field.curvature_derivatives.push_back(

@@ -17,10 +17,8 @@ using helpers::extract;
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// Exact normals: only lines are tested.
 PrecomputeOptions sphere_options() {
     PrecomputeOptions options;
-    options.normal_weighting = NormalWeighting::Max;
     options.normal_smoothing = NormalSmoothing::None;
     options.kernel_size = 0.15;
     options.skip_opposite_sheet = false;  // its weights fade around the sphere
@@ -81,29 +79,27 @@ TEST(Views, DoNotChangeWithTheScaleOfTheHomogeneousEye) {
 
 // ---- made-up fields on the square [−1, 1]², seen from +z ----
 
-/// ΔI = f(x, y), ∇I = (1, 0, −0.5), with this √h everywhere and these of the field's scale.
+/// ΔI = f(x, y), ∇I = (1, 0, −0.5), by a field with this √h and σ.
 LineSet lines_of(const std::function<double(double x, double y)>& f, const LineStyle& style,
-                 double kernel_size, double scale_size, double sigma) {
+                 double kernel_size, double sigma) {
     const TriangleMesh square = test_meshes::plane(60);
     Field field = precompute(square);
-    field.scale = {std::sqrt(8.0), 0.1, scale_size, sigma};
+    field.scale = {std::sqrt(8.0), 0.1, kernel_size, sigma};
     for (std::size_t v = 0; v < field.normals.size(); ++v) {
         const Eigen::Vector3d& p = square.positions[v];
         field.laplacian_normals[v] = {0, 0, float(f(p.x(), p.y()))};
         field.shape_operators[v] = {};
         field.shape_operators[v].xz = 1;
         field.shape_operators[v].zz = -0.5f;  // concave towards the eye
-        field.kernel_sizes[v] = float(kernel_size);
     }
     return extract(LineExtractor(square, field), View::orthographic(Eigen::Vector3d::UnitZ()),
                    style);
 }
 
-/// Where an adaptive kernel is half as large, so is the smoothing: slope = ‖∇ΔI‖ (h + σ²/2)^1.5
-/// with both of that place.
-TEST(Slope, FollowsTheAdaptiveKernelAndItsSmoothing) {
+/// slope = ‖∇ΔI‖ (h + σ²/2)^1.5
+TEST(Slope, FollowsTheKernelAndTheSmoothing) {
     const LineSet set = lines_of([](double x, double) { return 3 * (x - 0.01); },
-                                 helpers::all_laplacian_lines(), 0.5, 1, 0.8);
+                                 helpers::all_laplacian_lines(), 0.5, 0.4);
     ASSERT_EQ(set.lines.size(), 1u);
     EXPECT_NEAR(set.lines[0].slope, 3 * std::pow(0.25 + 0.16 / 2, 1.5), 1e-3);
 }
@@ -112,7 +108,7 @@ TEST(ClosedLines, HaveTheSameWeightAllRound) {
     LineStyle style = helpers::all_laplacian_lines();
     style.full_slope = 0.25;  // twice the slope of the circle, which is 0.5³
     const LineSet set =
-        lines_of([](double x, double y) { return std::hypot(x, y) - 0.61; }, style, 0.5, 0.5, 0);
+        lines_of([](double x, double y) { return std::hypot(x, y) - 0.61; }, style, 0.5, 0);
     ASSERT_EQ(set.lines.size(), 1u);
     EXPECT_TRUE(set.lines[0].closed);
     EXPECT_NEAR(set.lines[0].length * std::sqrt(8.0), 2 * kPi * 0.61, 0.01);
@@ -134,7 +130,7 @@ float opacity_at_point(double degrees) {
         [&](double x, double y) {
             return 100 * (std::cos(half) * std::abs(y) - std::sin(half) * (x - kPoint));
         },
-        style, 0.2, 0.2, 0);
+        style, 0.2, 0);
     EXPECT_GT(lines.points.size(), 50u);
     float opacity = 0;
     for (const LinePoint& p : lines.points)

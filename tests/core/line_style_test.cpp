@@ -200,8 +200,7 @@ using helpers::total_length;
 /// On a sphere ΔI = Δn·d vanishes where n·d does, whatever the eye; contours stay the eye's.
 TEST(Light, DirectionalLightDrawsItsOwnTerminator) {
     const auto sphere = test_meshes::sphere(5);
-    PrecomputeOptions options;  // the sphere's normals exact, so that only the lines are looked at
-    options.normal_weighting = NormalWeighting::Max;
+    PrecomputeOptions options;
     options.normal_smoothing = NormalSmoothing::None;
     options.kernel_size = 0.15;
     const LineExtractor extractor(sphere.mesh, precompute(sphere.mesh, options));

@@ -19,18 +19,14 @@ using Vectors = std::vector<Eigen::Vector3d>;
 
 double mean_edge(const TriangleMesh& mesh);
 double diagonal(const TriangleMesh& mesh);
-Vectors normals(const TriangleMesh& mesh, laplacian_lines::NormalWeighting weighting);
+Vectors normals(const TriangleMesh& mesh);
 
-/// KernelMode::Adaptive: √h(p)/√h.
-std::vector<double> relative_sizes(const TriangleMesh& mesh);
-
-/// By Gaussians of the deviation `sigma`, cut at three of it; `bilateral_angle` 0: not bilateral.
-Vectors smoothed(const TriangleMesh& mesh, const Vectors& normals, double sigma,
-                 double bilateral_angle);
+/// By Gaussians of the deviation `sigma`, cut at three of it.
+Vectors smoothed(const TriangleMesh& mesh, const Vectors& normals, double sigma);
 
 /// Eq. 2 over all vertices (Belkin and others 2008), without cutoff and corrections.
 Vectors laplacian(const TriangleMesh& mesh, const Vectors& normals,
-                  const std::vector<double>& kernel_sizes, bool skip_opposite_sheet);
+                  double kernel_size, bool skip_opposite_sheet);
 
 struct Line {
     Vectors points;  ///< mesh coordinates; of a closed line the first again at the end

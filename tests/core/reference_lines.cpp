@@ -22,8 +22,7 @@ using Edge = std::pair<std::uint32_t, std::uint32_t>;
 struct Vertex {
     Vector3d position, normal, laplacian;
     Matrix3d shape_operator;
-    double slope_scale;  ///< h_e^1.5
-    double value = 0;    ///< of the function whose zeros are looked for
+    double value = 0;  ///< of the function whose zeros are looked for
 };
 
 struct Crossing {
@@ -60,6 +59,15 @@ public:
         }
         light_ =
             view.light && kind == LineKind::Laplacian ? Point{view.light->normalized(), 0} : eye_;
+        const auto squared_scale = [&](double size) {
+            const double sigma = field.scale.normal_sigma;
+            return (size * size + sigma * sigma / 2) / (diagonal_ * diagonal_);
+        };
+        const double size = field.scale.kernel_size,
+                     derivative_scale = squared_scale(std::max(size, 2 * field.scale.mean_edge)),
+                     share = squared_scale(size) / derivative_scale;
+        slope_scale_ = std::pow(derivative_scale, 1.5);
+        if (kind == LineKind::Laplacian) slope_scale_ *= std::pow(share, 1.5 * 0.75);
         for (std::size_t v = 0; v < mesh.positions.size(); ++v)
             vertices_.push_back(vertex(field, v));
     }
@@ -89,16 +97,6 @@ private:
         vertex.laplacian = field.laplacian_normals[v].cast<double>() * diagonal_ * diagonal_;
         vertex.shape_operator << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
         vertex.shape_operator *= diagonal_;
-        const double ratio = field.kernel_sizes[v] / field.scale.kernel_size / diagonal_,
-                     size = ratio * std::max(field.scale.kernel_size, 2 * field.scale.mean_edge),
-                     sigma = ratio * field.scale.normal_sigma;
-        vertex.slope_scale = std::pow(size * size + sigma * sigma / 2, 1.5);
-        if (kind_ == LineKind::Laplacian) {
-            const double own = ratio * field.scale.kernel_size;
-            const double share =
-                (own * own + sigma * sigma / 2) / (size * size + sigma * sigma / 2);
-            vertex.slope_scale *= std::pow(share, 1.5 * 0.75);
-        }
         const Vector3d l = light_.from(vertex.position);
         if (kind_ == LineKind::Laplacian) {
             vertex.value = vertex.laplacian.dot(l);
@@ -158,13 +156,12 @@ private:
         const Vector3d u = b.position - a.position, v = c.position - a.position, n = u.cross(v);
         const Vector3d steepest =
             ((b.value - a.value) * v.cross(n) + (c.value - a.value) * n.cross(u)) / n.squaredNorm();
-        const double scale = (a.slope_scale + b.slope_scale + c.slope_scale) / 3;
         if (is_suggestive()) {
             const double towards = steepest.dot(from.towards_eye + to.towards_eye);
             return kind_ == LineKind::SuggestiveContour ? towards : -towards;
         }
         if (kind_ == LineKind::Contour) return 0;
-        const double slope = steepest.norm() * scale;
+        const double slope = steepest.norm() * slope_scale_;
         const bool is_phantom = steepest.dot(from.gradient + to.gradient) > 0;
         return (style_.reject_phantoms && is_phantom) || slope < style_.segment_slope ? -1 : slope;
     }
@@ -220,6 +217,7 @@ private:
     const LineStyle& style_;
     const LineKind kind_;
     const double diagonal_;
+    double slope_scale_ = 0;  // h_e^1.5
     Vector3d centre_;
     Point eye_, light_;
     std::vector<Vertex> vertices_;

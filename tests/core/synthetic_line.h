@@ -32,7 +32,6 @@ struct Synthetic {
             field.shape_operators[v] = {};
             field.shape_operators[v].xz = float(gradient);
             field.shape_operators[v].yy = float(trace);
-            field.kernel_sizes[v] = float(kernel_size);
         }
         field.scale.kernel_size = kernel_size;
         field.scale.normal_sigma = 0;

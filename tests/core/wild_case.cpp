@@ -144,8 +144,6 @@ std::string violation(const TriangleMesh& mesh, const Field& field) {
         if (!(length == 0 || std::abs(length - 1) < 1e-4)) return "no unit normal" + at;
         if (!field.laplacian_normals[v].allFinite()) return "no finite Laplacian" + at;
         if (!helpers::matrix(field.shape_operators[v]).allFinite()) return "no finite tensor" + at;
-        if (!std::isfinite(field.kernel_sizes[v]) || field.kernel_sizes[v] < 0)
-            return "no finite kernel size" + at;
         if (!field.has_derivatives()) continue;
         if (!field.smooth_curvatures[v].allFinite()) return "no finite smooth curvature" + at;
         if (!field.curvature_derivatives[v].allFinite()) return "no finite derivative" + at;

@@ -78,7 +78,8 @@ TEST(MeshTransform, ItsFieldIsTheOneComputedThere) {
     EXPECT_LT(difference(field.laplacian_normals, expected.laplacian_normals), 1e-2);
     EXPECT_NEAR(field.scale.diagonal, expected.scale.diagonal, 0.1 * expected.scale.diagonal);
     EXPECT_NEAR(field.scale.mean_edge, expected.scale.mean_edge, 1e-4 * expected.scale.mean_edge);
-    EXPECT_NEAR(field.kernel_sizes[0], expected.kernel_sizes[0], 1e-3 * expected.kernel_sizes[0]);
+    EXPECT_NEAR(field.scale.kernel_size, expected.scale.kernel_size,
+                1e-3 * expected.scale.kernel_size);
     EXPECT_LT(difference(field.curvature_derivatives, expected.curvature_derivatives), 1e-2);
     double largest = 0, most = 0;
     for (std::size_t i = 0; i < field.shape_operators.size(); ++i)

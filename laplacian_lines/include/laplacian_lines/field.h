@@ -24,7 +24,7 @@ struct ShapeOperator {
 struct FieldScale {
     double diagonal = 0;      ///< D, bounding-box diagonal of the usable mesh, mesh units
     double mean_edge = 0;     ///< ē, mesh units
-    double kernel_size = 0;   ///< √h that was used, before adaptation, mesh units
+    double kernel_size = 0;   ///< √h that was used, mesh units
     double normal_sigma = 0;  ///< standard deviation of the normal smoothing, mesh units
 };
 
@@ -34,7 +34,6 @@ struct Field {
     std::vector<Eigen::Vector3f> normals;            ///< outward, unit, smoothed
     std::vector<Eigen::Vector3f> laplacian_normals;  ///< Δn, 1/length²; −(k1²+k2²) n + ∇(k1+k2)
     std::vector<ShapeOperator> shape_operators;      ///< S, 1/length
-    std::vector<float> kernel_sizes;                 ///< √h(p), length
     /// S̄, S smoothed with the kernel, 1/length: S̄(u,u), S̄(u,v), S̄(v,v) in
     /// tangent_frame(normals[v]). Empty unless asked for.
     std::vector<Eigen::Vector3f> smooth_curvatures;

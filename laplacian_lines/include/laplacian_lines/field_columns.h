@@ -88,8 +88,6 @@ inline constexpr std::array kFieldColumns = {
         "shape_operators",
         "S = dn, the derivative of the normal along the surface: (xx, yy, zz) and (yz, xz, xy)",
         "1/length", {{{"ll_shape_diagonal", 3}, {"ll_shape_off_diagonal", 3}}}),
-    field_column<&Field::kernel_sizes>("kernel_sizes", "size √h of the kernel at the vertex",
-                                       "length", {{{"ll_kernel_size", 1}}}),
     field_column<&Field::smooth_curvatures>(
         "smooth_curvatures",
         "S̄, the shape operator smoothed with the kernel: (uu, uv, vv) in the tangent frame",

@@ -3,23 +3,12 @@
 
 namespace laplacian_lines {
 
-enum class KernelMode {
-    Uniform,   ///< one kernel size for the whole mesh
-    Adaptive,  ///< √h(p) follows the local edge length, see PrecomputeOptions::kernel_mode
-};
-
 enum class LaplaceOperator {
     Belkin,     ///< heat kernel on the mesh, Belkin et al. 2008 (the paper's Eq. 2)
     Cotangent,  ///< cotangent weights; depends on the triangulation, kept for comparison (Fig. 2)
 };
 
-enum class NormalWeighting {
-    Area,   ///< triangle area
-    Angle,  ///< corner angle
-    Max,    ///< sin(angle) / (product of the two edge lengths), Max 1999
-};
-
-enum class NormalSmoothing { None, Gaussian, Bilateral };
+enum class NormalSmoothing { None, Gaussian };
 
 enum class GradientEstimator {
     TriangleFit,   ///< curvature tensor fitted to each triangle, Rusinkiewicz 2004
@@ -42,20 +31,15 @@ struct PrecomputeOptions {
     /// normal_sigma is then at least a quarter of it.
     double drawn_kernel_size = 0;
     double least_drawn_edges = kLeastKernelEdges;  ///< > 0, with drawn_kernel_size alone
-    /// Adaptive: √h(p) = √h · clamp(ē(p)/ē, 1/4, 4), with ē(p) the mean length of the edges at p,
-    /// averaged over one-rings ten times. Normal smoothing scales by the same factor.
-    KernelMode kernel_mode = KernelMode::Uniform;
     LaplaceOperator laplace_operator = LaplaceOperator::Belkin;
     /// Relative RMS error of Δn that summing the heat kernel may add, 1e-6..0.1 (rounding ends at
     /// 4e-6). Smaller is slower.
     double accuracy = 1e-3;
-    NormalWeighting normal_weighting = NormalWeighting::Area;
     NormalSmoothing normal_smoothing = NormalSmoothing::Gaussian;
     /// Standard deviation of the smoothing, in mean edges. 0: automatic, none on clean meshes, up
     /// to 0.8 where triangles are finer than the kernel and up to 2.5 on rough meshes, see
     /// automatic_normal_sigma(). None at all: NormalSmoothing::None.
     double normal_sigma = 0;
-    double bilateral_angle = 20.0;  ///< degrees between normals at which bilateral weights fade
     GradientEstimator gradient_estimator = GradientEstimator::TriangleFit;
     double gradient_radius = 3.0;  ///< ball of the least squares fit, in mean edges
     bool correct_borders = true;   ///< make up for the half of the kernel a border lacks

@@ -16,7 +16,6 @@
 #include "clusters/cluster_partition.h"
 #include "clusters/coarseness.h"
 #include "clusters/local_vertex.h"
-#include "field/derivative_scale.h"
 #include "mesh/flat_faces.h"
 #include "rules/thresholds.h"
 #include "system/large_array.h"
@@ -30,15 +29,10 @@ constexpr double kPartitioned = 0.4, kLinked = 0.6, kLaidOut = 0.65;
 // Least length of borders over the root of the area: 4 for a square, 2.5 for half a sphere.
 constexpr double kLeastSheetBorders = 2;
 
-constexpr double kLargestSlopeScale = 1e15;
-
 class ClusterBuilder {
 public:
     ClusterBuilder(const PreparedMesh& mesh, const Field& field, ExtractorData& data)
-        : mesh_(mesh),
-          field_(field),
-          squared_scale_(squared_scale(derivative_kernel(field.scale), field.scale)),
-          data_(data) {}
+        : mesh_(mesh), field_(field), data_(data) {}
 
     void build(const StageProgress& stage) {
         stage.report(0);
@@ -156,12 +150,8 @@ private:
 
     LocalVertex local_vertex(std::uint32_t prepared) const {
         const std::uint32_t v = mesh_.original_vertex[prepared];
-        // The smoothing of the normals follows the adaptive kernel, see PrecomputeOptions.
-        const double ratio = double(field_.kernel_sizes[v]) / field_.scale.kernel_size;
-        const double squared_effective = ratio * ratio * squared_scale_;  // h_e
-        return {
-            mesh_.positions[prepared], bounded(field_.normals[v], 1, 2), local_shape_operator(v),
-            float(bounded(squared_effective * std::sqrt(squared_effective), kLargestSlopeScale))};
+        return {mesh_.positions[prepared], bounded(field_.normals[v], 1, 2),
+                local_shape_operator(v)};
     }
 
     /// Lists the cluster's vertices with their values.
@@ -235,7 +225,6 @@ private:
 
     const PreparedMesh& mesh_;
     const Field& field_;
-    const double squared_scale_;  // h_e of the kernel of derivatives
     ExtractorData& data_;
     std::vector<FaceShape> shapes_;                     // by triangle of the mesh
     std::vector<std::uint8_t> featureless_;             // likewise

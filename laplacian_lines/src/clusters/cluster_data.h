@@ -31,8 +31,7 @@ enum VertexForm : unsigned {
 /// Position, shape operator and normal of a vertex in local coordinates x' = (x − centre)/D: one
 /// cache unit, as rows of four.
 struct VertexRecord {
-    float position[3];
-    float slope_scale;           ///< h_e(p)^1.5
+    float position[4];           ///< and 0
     float shape_operator[3][4];  ///< columns of S·D, each with a component of the normal
 };
 static_assert(sizeof(VertexRecord) == kCacheUnit, "a vertex record is one cache unit");

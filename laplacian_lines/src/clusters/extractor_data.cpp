@@ -45,16 +45,11 @@ PreparedMesh prepare(const TriangleMesh& mesh, const Field& field, int undone) {
                             field.report.flipped_triangles > 0 ? Facing::Outwards : Facing::Kept);
 }
 
-/// Times a factor that moves no zeros, so that the slope_scale of the vertices' records, which is
-/// of the kernel of derivatives, gives slopes of their own.
 std::vector<FormGroup> laplacian_forms(const PreparedMesh& mesh, const Field& field,
                                        const ExtractorData& data) {
-    const double share_of_records = squared_scale(field.scale.kernel_size, field.scale) /
-                                    squared_scale(derivative_kernel(field.scale), field.scale);
     const Cluster* last = data.clusters.empty() ? nullptr : &data.clusters.back();
     auto forms = large_array<FormGroup>(last ? last->first_form_group + form_groups(*last) : 0);
-    const double factor =
-        data.diagonal * data.diagonal * std::pow(share_of_records, 1.5 * kOwnShare);
+    const double factor = data.diagonal * data.diagonal;
     in_parallel(data.clusters.size(), [&](std::size_t c) {
         const Cluster& cluster = data.clusters[c];
         write_forms(&forms[cluster.first_form_group], cluster, [&](unsigned i) {
@@ -149,6 +144,10 @@ ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field,
     if (data.centre.cwiseAbs().maxCoeff() > kFar * data.diagonal) data.origin = data.centre;
     data.is_rough = is_rough(field.report);
     data.kernel_size = float(field.scale.kernel_size / field.scale.diagonal);
+    data.squared_scale = squared_scale(derivative_kernel(field.scale), field.scale);
+    const double own = squared_scale(field.scale.kernel_size, field.scale);
+    data.laplacian_squared_scale =
+        std::pow(own, kOwnShare) * std::pow(data.squared_scale, 1 - kOwnShare);
     build_clusters(prepared, field, stage.part(kPrepared, 1), data);
     data.laplacians = laplacian_forms(prepared, field, data);
     if (field.has_derivatives()) data.curvatures = curvature_records(prepared, field, data);

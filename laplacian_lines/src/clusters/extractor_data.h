@@ -36,6 +36,8 @@ struct ExtractorData {
     double diagonal = 1;                               ///< D, mesh units
     std::vector<FormGroup> laplacians;                 ///< linear forms of Δn, cluster by cluster
     float kernel_size = 0;                             ///< √h of Δn, D
+    double squared_scale = 0;                          ///< h_e that slopes are measured by, D²
+    double laplacian_squared_scale = 0;                ///< that of slopes of Laplacian lines
     double flat_share = 0;                             ///< of the area, see flat_faces.h
     bool is_rough = false;  ///< edges of the mesh are those of noise or voxels, not of the form
     bool is_sheet = false;  ///< its borders are so long that it is seen from both sides

@@ -47,8 +47,7 @@ Eigen::Vector3d centre_of(const std::vector<LocalVertex>& values) {
 VertexRecord make_record(const LocalVertex& v) {
     const ShapeOperator& s = v.shape_operator;
     const Eigen::Vector3f n = v.normal.cast<float>();
-    return {{float(v.position.x()), float(v.position.y()), float(v.position.z())},
-            v.slope_scale,
+    return {{float(v.position.x()), float(v.position.y()), float(v.position.z()), 0},
             {{s.xx, s.xy, s.xz, n.x()}, {s.xy, s.yy, s.yz, n.y()}, {s.xz, s.yz, s.zz, n.z()}}};
 }
 

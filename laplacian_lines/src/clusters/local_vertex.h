@@ -14,7 +14,6 @@ namespace laplacian_lines {
 struct LocalVertex {
     Eigen::Vector3d position, normal;
     ShapeOperator shape_operator;  ///< S·D
-    float slope_scale;             ///< h_e(p)^1.5
 };
 
 VertexRecord make_record(const LocalVertex& v);

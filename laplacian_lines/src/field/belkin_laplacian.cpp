@@ -27,11 +27,12 @@ double tail(double u) {
 }
 
 /// RMS of √h|S|, as grid_resolution() takes it.
-double roughness(const std::vector<float>& kernel_sizes, const ShapeOperators& shape_operators) {
-    const double sum = sum_of(kernel_sizes.size(), [&](std::size_t i) {
-        return double(kernel_sizes[i]) * kernel_sizes[i] * shape_operators[i].squaredNorm();
-    });
-    return std::sqrt(sum / double(kernel_sizes.size()));
+double roughness(double kernel_size, const ShapeOperators& shape_operators) {
+    const std::size_t count = shape_operators.size();
+    return kernel_size * std::sqrt(sum_of(count, [&](std::size_t i) {
+                                       return shape_operators[i].squaredNorm();
+                                   }) /
+                                   double(count));
 }
 
 /// Radius, in √h, beyond which the part `accuracy` of the kernel's second moment lies.
@@ -64,17 +65,17 @@ Eigen::Vector3d corrected(const Eigen::Vector3d& sum, const Eigen::Vector3d& n,
 
 std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const SpatialTree& tree,
                                               const std::vector<Eigen::Vector3d>& normals,
-                                              const std::vector<float>& kernel_sizes,
+                                              double kernel_size,
                                               const ShapeOperators& shape_operators,
                                               const PrecomputeOptions& options,
                                               const StageProgress& stage) {
     GaussianKernel kernel;
-    kernel.kernel_sizes = kernel_sizes;
+    kernel.size = kernel_size;
     kernel.quick = options.accuracy >= kQuickAccuracy;
     kernel.cutoff = cutoff_of(options.accuracy - (kernel.quick ? kQuickError : 0));
     kernel.facing = options.skip_opposite_sheet;
     const GridResolution resolution =
-        grid_resolution(options.accuracy, roughness(kernel_sizes, shape_operators));
+        grid_resolution(options.accuracy, roughness(kernel_size, shape_operators));
     const SummationCosts costs = summation_costs(mesh, tree, kernel, resolution);
     refuse_costly_sum(std::min(costs.direct, costs.grid),
                       "Merge close vertices, or choose a larger Kernel Size.");
@@ -83,9 +84,8 @@ std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const Sp
                                       : gaussian_sums(mesh, tree, normals, kernel, stage);
     const double kept = on_grid ? 1 : 1 - tail(kernel.cutoff * kernel.cutoff / 4);
     std::vector<Eigen::Vector3d> laplacian = large_array<Eigen::Vector3d>(mesh.size());
+    const double h = kernel_size * kernel_size, factor = 1 / (4 * kPi * h * h * kept);
     for_each_element(laplacian.size(), [&](std::size_t i) {
-        const double h = double(kernel_sizes[i]) * kernel_sizes[i];
-        const double factor = 1 / (4 * kPi * h * h * kept);
         laplacian[i] = factor * sums.normal_difference[i].cast<double>();
         if (options.correct_borders)
             laplacian[i] = corrected(laplacian[i], normals[i], shape_operators[i], h,

@@ -18,18 +18,13 @@
 /// Steps of precompute(), in order.
 namespace laplacian_lines {
 
-/// Unit normals, [N]: the weighted mean of the incident triangles' normals.
-/// Max: N. Max, "Weights for Computing Vertex Normals from Facet Normals", J. Graphics Tools 1999.
+/// Unit normals, [N]: the mean of the incident triangles' normals, weighted by area; where they
+/// cancel, that of any of them.
 std::vector<Eigen::Vector3d> vertex_normals(const PreparedMesh& mesh, const VertexRanges& ranges,
-                                            NormalWeighting weighting, const StageProgress& stage);
+                                            const StageProgress& stage);
 
 /// √h in local units: the option, or the automatic size.
-double global_kernel_size(const PreparedMesh& mesh, const PrecomputeOptions& options);
-
-/// √h(p) / √h, [N]: 1, or the smoothed and clamped local edge length in mean edges (see
-/// PrecomputeOptions::kernel_mode).
-std::vector<float> relative_kernel_sizes(const PreparedMesh& mesh, const VertexRanges& ranges,
-                                         KernelMode mode, const StageProgress& stage);
+double kernel_size_of(const PreparedMesh& mesh, const PrecomputeOptions& options);
 
 /// How far noise has moved the vertices, in mean edges: 0 on clean meshes, however coarse. A bump
 /// is the height of the mean of a vertex's neighbours above it. Bumps of a form resemble those
@@ -43,19 +38,14 @@ constexpr double kLargestRoughness = 0.5;
 /// MeshReport::roughness, from unsmoothed vertex normals: the larger of noise (vertex_noise()) and
 /// of terraces, in units of what automatic_normal_sigma() smooths; of CAD meshes that of terraces
 /// if triangles are even and faces those of voxels, else 0.
-/// Mean edges are multiplied by relative_sizes[v].
 double measure_roughness(const PreparedMesh& mesh, const VertexRanges& ranges,
-                         const SpatialTree& tree, const std::vector<float>& relative_sizes,
-                         const std::vector<Eigen::Vector3d>& normals, const StageProgress& stage);
+                         const SpatialTree& tree, const std::vector<Eigen::Vector3d>& normals,
+                         const StageProgress& stage);
 
 /// Replaces unit normals by the mean of those around them, weighted by facing_weight(n_q·n_p) and a
-/// Gaussian of the standard deviation `sigma` times relative_sizes[v], local units. Bilateral
-/// weights also fall with the difference of normals, standard deviation `bilateral_angle` in
-/// degrees, which keeps edges sharp.
-void smooth_normals(const PreparedMesh& mesh, const SpatialTree& tree,
-                    const std::vector<float>& relative_sizes, double sigma,
-                    const PrecomputeOptions& options, const StageProgress& stage,
-                    std::vector<Eigen::Vector3d>& normals);
+/// Gaussian of the standard deviation `sigma`, local units.
+void smooth_normals(const PreparedMesh& mesh, const SpatialTree& tree, double sigma,
+                    const StageProgress& stage, std::vector<Eigen::Vector3d>& normals);
 
 /// [N], local units.
 using ShapeOperators = std::vector<SymmetricTensor>;
@@ -85,7 +75,7 @@ void smooth_over_one_rings(const PreparedMesh& mesh, const VertexRanges& ranges,
 /// multiplies the terms by facing_weight(n_q·n_p).
 std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const SpatialTree& tree,
                                               const std::vector<Eigen::Vector3d>& normals,
-                                              const std::vector<float>& kernel_sizes,
+                                              double kernel_size,
                                               const ShapeOperators& shape_operators,
                                               const PrecomputeOptions& options,
                                               const StageProgress& stage);
@@ -97,7 +87,7 @@ std::vector<Eigen::Vector3d> cotangent_laplacian(const PreparedMesh& mesh,
                                                  const std::vector<Eigen::Vector3d>& normals);
 
 /// Gives the vertices that undone subdivisions had added the means of what is at the ends of their
-/// edges: normals, Δn, S, kernel sizes.
+/// edges: normals, Δn, S.
 void fill_midpoints(const PreparedMesh& mesh, Field& field);
 
 /// The same of S̄ and C, carried from the ends' tangent frames to theirs.

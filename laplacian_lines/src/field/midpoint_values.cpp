@@ -51,7 +51,6 @@ void fill_midpoints(const PreparedMesh& mesh, Field& field) {
         field.laplacian_normals[m.vertex] =
             field.laplacian_normals[a] / 2 + field.laplacian_normals[b] / 2;
         field.shape_operators[m.vertex] = mean(field.shape_operators[a], field.shape_operators[b]);
-        field.kernel_sizes[m.vertex] = (field.kernel_sizes[a] + field.kernel_sizes[b]) / 2;
     });
 }
 

@@ -26,7 +26,7 @@ constexpr double kLeastChoice = 2.5;  // mean edges; smaller kernels cannot be r
 constexpr double kFitCost = 20;       // of a pair of vertices in a fit, over that in a direct sum
 
 // Share of the time at which each step ends, with the default options.
-constexpr double kPrepared = 0.15, kSorted = 0.3, kSizes = 0.31, kNormals = 0.35;
+constexpr double kPrepared = 0.15, kSorted = 0.3, kNormals = 0.35;
 constexpr double kSmoothNormals = 0.45, kFitted = 0.55, kTensors = 0.6;
 constexpr double kDerivatives = 0.15;  // of the time with them
 
@@ -50,15 +50,14 @@ PreparedMesh prepare(const TriangleMesh& mesh, const PrecomputeOptions& options,
                         facing);
 }
 
-/// [N], local units; √h of a vertex is kernel_size times its relative size.
+/// [N], local units.
 struct LocalField {
     double kernel_size = 0, normal_sigma = 0, roughness = 0;
-    std::vector<float> relative_sizes;
     std::vector<Eigen::Vector3d> normals, laplacian;
     ShapeOperators shape_operators;
 };
 
-/// Of the smoothing of normals, local units, before adaptation; 0 if none, or if it is automatic
+/// Of the smoothing of normals, local units; 0 if none, or if it is automatic
 /// and the roughness is not known.
 double smoothing_sigma(const PreparedMesh& mesh, const PrecomputeOptions& options,
                        double kernel_size, std::optional<double> roughness) {
@@ -90,11 +89,8 @@ std::vector<Eigen::Vector3d> laplacian_of_normals(const PreparedMesh& mesh, cons
                                                   const StageProgress& stage) {
     if (options.laplace_operator == LaplaceOperator::Cotangent)
         return cotangent_laplacian(mesh, local.normals);
-    std::vector<float> sizes = local.relative_sizes;
-    for (float& size : sizes)
-        size *= float(local.kernel_size);
-    return belkin_laplacian(mesh, tree, local.normals, sizes, local.shape_operators, options,
-                            stage);
+    return belkin_laplacian(mesh, tree, local.normals, local.kernel_size, local.shape_operators,
+                            options, stage);
 }
 
 /// In the input's units.
@@ -109,8 +105,7 @@ double kernel_bend(const PreparedMesh& mesh, const LocalField& local) {
     const std::size_t step = mesh.size() / kMostBendSamples + 1;
     std::vector<double> bends;
     for (std::size_t i = 0; i < mesh.size(); i += step) {
-        const double curvature = std::sqrt(local.shape_operators[i].squaredNorm());
-        bends.push_back(curvature * double(local.relative_sizes[i]) * local.kernel_size);
+        bends.push_back(std::sqrt(local.shape_operators[i].squaredNorm()) * local.kernel_size);
     }
     const auto middle = bends.begin() + std::ptrdiff_t(bends.size() / 2);
     std::nth_element(bends.begin(), middle, bends.end());
@@ -124,7 +119,6 @@ Field in_input_units(const PreparedMesh& mesh, const LocalField& local, std::siz
     field.normals = large_array(vertex_count, zero);
     field.laplacian_normals = large_array(vertex_count, zero);
     field.shape_operators = large_array<ShapeOperator>(vertex_count);
-    field.kernel_sizes = large_array(vertex_count, 0.f);
     const double d = mesh.diagonal;
     for_each_element(mesh.size(), [&](std::size_t i) {
         const std::uint32_t v = mesh.original_vertex[i];
@@ -134,11 +128,10 @@ Field in_input_units(const PreparedMesh& mesh, const LocalField& local, std::siz
         const SymmetricTensor& s = local.shape_operators[i];
         field.shape_operators[v] = {by_d(s.xx), by_d(s.yy), by_d(s.zz),
                                     by_d(s.yz), by_d(s.xz), by_d(s.xy)};
-        field.kernel_sizes[v] = float(local.relative_sizes[i] * local.kernel_size * d);
     });
     fill_midpoints(mesh, field);
     copy_to_welded(mesh.representative, field.normals, field.laplacian_normals,
-                   field.shape_operators, field.kernel_sizes);
+                   field.shape_operators);
     field.scale = scale_of(mesh, local.kernel_size, local.normal_sigma);
     field.report = mesh.report;
     field.report.roughness = local.roughness;
@@ -165,20 +158,17 @@ Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options,
 
     // √h, the scale at which features are sought.
     LocalField local;
-    local.kernel_size = global_kernel_size(prepared, options);
-    local.relative_sizes = relative_kernel_sizes(prepared, ranges, options.kernel_mode,
-                                                 stage(kSorted, kSizes, "Measuring edges"));
+    local.kernel_size = kernel_size_of(prepared, options);
 
     // n, the normals, from whose triangles noise is smoothed out: shading with the light at the eye
     // is I = n·l.
-    local.normals = vertex_normals(prepared, ranges, options.normal_weighting,
-                                   stage(kSizes, kNormals, "Computing normals"));
+    local.normals =
+        vertex_normals(prepared, ranges, stage(kSorted, kNormals, "Computing normals"));
     const StageProgress smoothing = stage(kNormals, kSmoothNormals, "Smoothing normals");
-    local.roughness = measure_roughness(prepared, ranges, tree, local.relative_sizes, local.normals,
-                                        smoothing.part(0, 0.3));
+    local.roughness =
+        measure_roughness(prepared, ranges, tree, local.normals, smoothing.part(0, 0.3));
     local.normal_sigma = smoothing_sigma(prepared, options, local.kernel_size, local.roughness);
-    smooth_normals(prepared, tree, local.relative_sizes, local.normal_sigma, options,
-                   smoothing.part(0.3, 1), local.normals);
+    smooth_normals(prepared, tree, local.normal_sigma, smoothing.part(0.3, 1), local.normals);
 
     // S, the change of n along the surface: it gives ∇I = S l, by which a line's strength is
     // measured, as the least squares of Eq. 3 do for one eye.
@@ -221,7 +211,7 @@ void add_curvature_derivatives(const TriangleMesh& mesh, Field& field, const Pro
 FieldScale measure_scale(const TriangleMesh& mesh, const PrecomputeOptions& options) {
     validate(options);
     const PreparedMesh prepared = prepare(mesh, options, Facing::Kept);
-    const double kernel_size = global_kernel_size(prepared, options);
+    const double kernel_size = kernel_size_of(prepared, options);
     return scale_of(prepared, kernel_size,
                     smoothing_sigma(prepared, options, kernel_size, std::nullopt));
 }

@@ -75,11 +75,11 @@ double ramp(double x, double none, double all) {
 /// from each mean to the next.
 using Turns = std::array<double, 3>;
 
-/// `unit`: the mean edge there.
 Turns turns_at(const PreparedMesh& mesh, const SpatialTree& tree,
-               const std::vector<Eigen::Vector3d>& normals, std::size_t i, double unit) {
+               const std::vector<Eigen::Vector3d>& normals, std::size_t i) {
     const Eigen::Vector3d &p = mesh.positions[i], &n = normals[i];
-    const double reach = kReach * unit, falloff = 0.5 / (kWidest * kWidest * unit * unit);
+    const double reach = kReach * mesh.mean_edge, widest_sigma = kWidest * mesh.mean_edge,
+                 falloff = 0.5 / (widest_sigma * widest_sigma);
     std::array<Eigen::Vector3d, 4> means = {n, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
                                             Eigen::Vector3d::Zero()};
     tree.visit_leaves(Eigen::AlignedBox3d(p), reach, [&](const SpatialTree::Leaf& leaf) {
@@ -116,7 +116,6 @@ double lower_quartile(std::vector<Turns>& turns, std::size_t scale) {
 /// The ratio of turns, less where even unsmoothed normals hardly turn; 0 if it is not measured, as
 /// on coarse meshes or where too many vertices are near each other.
 double measure_terraces(const PreparedMesh& mesh, const SpatialTree& tree,
-                        const std::vector<float>& relative_sizes,
                         const std::vector<Eigen::Vector3d>& normals) {
     const std::size_t count = std::min(kSamples, mesh.size());
     if (mesh.mean_edge > kLargestEdge) return 0;
@@ -124,9 +123,7 @@ double measure_terraces(const PreparedMesh& mesh, const SpatialTree& tree,
         return 0;
     std::vector<Turns> turns(count);
     in_parallel(count, [&](std::size_t sample) {
-        const std::size_t i = sample * mesh.size() / count;
-        turns[sample] =
-            turns_at(mesh, tree, normals, i, mesh.mean_edge * double(relative_sizes[i]));
+        turns[sample] = turns_at(mesh, tree, normals, sample * mesh.size() / count);
     });
     const double from_triangles = lower_quartile(turns, 0);
     const double finer = lower_quartile(turns, 1), coarser = lower_quartile(turns, 2);
@@ -170,10 +167,10 @@ bool are_of_voxels(const FlatFaces& flat) {
 }  // namespace
 
 double measure_roughness(const PreparedMesh& mesh, const VertexRanges& ranges,
-                         const SpatialTree& tree, const std::vector<float>& relative_sizes,
-                         const std::vector<Eigen::Vector3d>& normals, const StageProgress& stage) {
+                         const SpatialTree& tree, const std::vector<Eigen::Vector3d>& normals,
+                         const StageProgress& stage) {
     const double noise = vertex_noise(mesh, ranges, normals, stage);
-    const double terraces = measure_terraces(mesh, tree, relative_sizes, normals);
+    const double terraces = measure_terraces(mesh, tree, normals);
     const double of_noise =
         kSigmaOfRoot / kSigmaOfRoughness * std::sqrt(noise) * ramp(noise, kLeastNoise, kClearNoise);
     const double of_terraces = terraces * ramp(terraces, kLeastTerraces, kClearTerraces);

@@ -83,42 +83,29 @@ TensorFits::TensorFits(const PreparedMesh& mesh, const SpatialTree& tree, const 
 void TensorFits::for_each(
     double reach, const StageProgress& stage,
     const std::function<void(std::uint32_t v, const TensorFit& fit)>& take) const {
-    const std::vector<float> radii = radii_of(reach);
-    if (!(pairs_cost(tree_, double(radii[0])) <= kMostCost)) return;
+    const double longest =
+        std::min(kDerivativeReach * derivative_kernel(field_.scale) / mesh_.diagonal,
+                 kMostDerivativeReach * mesh_.mean_edge);
+    const double radius = reach / kDerivativeReach * longest;
+    if (!(radius > 0 && pairs_cost(tree_, radius) <= kMostCost)) return;
     using Sources = std::vector<TensorSource>;
     parallel_for<Sources>(tree_.leaves().size(), stage, [&](std::size_t i, Sources& sources) {
         const SpatialTree::Leaf& leaf = tree_.leaves()[i];
-        const float most = *std::max_element(radii.begin() + leaf.begin, radii.begin() + leaf.end);
-        const std::size_t count = sources_.collect(leaf, double(most), sources);
+        const std::size_t count = sources_.collect(leaf, radius, sources);
         for (std::uint32_t begin = leaf.begin; begin < leaf.end; begin += kSlopeLanes) {
             TensorSums sums;
-            fastest<SlopeLoops>().sum(targets(leaf, radii, begin), sources.data(), count, sums);
+            fastest<SlopeLoops>().sum(targets(leaf, radius, begin), sources.data(), count, sums);
             for (std::uint32_t v = begin; v < std::min(begin + kSlopeLanes, leaf.end); ++v) {
-                if (!(radii[v] > 0)) continue;
                 TensorFit fit = fit_of(sums, v - begin);
-                fit.slopes.scale(1 / double(radii[v]));
+                fit.slopes.scale(1 / radius);
                 if (fit.found) take(v, fit);
             }
         }
     });
 }
 
-/// The radius of each vertex follows its kernel.
-std::vector<float> TensorFits::radii_of(double reach) const {
-    const double per_size = field_.scale.kernel_size > 0 ? 1 / field_.scale.kernel_size : 0;
-    const double longest =
-        std::min(kDerivativeReach * derivative_kernel(field_.scale) / mesh_.diagonal,
-                 kMostDerivativeReach * mesh_.mean_edge);
-    const double factor = reach / kDerivativeReach * longest * per_size;
-    std::vector<float> radii = large_array<float>(mesh_.size());
-    for_each_element(mesh_.size(), [&](std::size_t v) {
-        radii[v] = float(factor * field_.kernel_sizes[mesh_.original_vertex[v]]);
-    });
-    return radii;
-}
-
 /// The vertices from `begin` on, in their tangent planes.
-TensorTargets TensorFits::targets(const SpatialTree::Leaf& leaf, const std::vector<float>& radii,
+TensorTargets TensorFits::targets(const SpatialTree::Leaf& leaf, double radius,
                                   std::uint32_t begin) const {
     const Eigen::Vector3d centre = leaf.box.center();
     TensorTargets t = {};
@@ -133,8 +120,8 @@ TensorTargets TensorFits::targets(const SpatialTree::Leaf& leaf, const std::vect
             t.u[k][lane] = frame.u[k];
             t.v[k][lane] = frame.v[k];
         }
-        t.per_radius[lane] = radii[v] > 0 ? 1 / radii[v] : 0.f;
     }
+    t.per_radius = float(1 / radius);
     return t;
 }
 

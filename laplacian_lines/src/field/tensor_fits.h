@@ -41,9 +41,7 @@ public:
                   const std::function<void(std::uint32_t v, const TensorFit& fit)>& take) const;
 
 private:
-    std::vector<float> radii_of(double reach) const;
-    TensorTargets targets(const SpatialTree::Leaf& leaf, const std::vector<float>& radii,
-                          std::uint32_t begin) const;
+    TensorTargets targets(const SpatialTree::Leaf& leaf, double radius, std::uint32_t begin) const;
 
     const PreparedMesh& mesh_;
     const SpatialTree& tree_;

@@ -46,12 +46,11 @@ static inline void store_quarter(float (*p)[kSlopeLanes], std::size_t lane, cons
 /// Vertices to sum at, in a vector's lanes; `place` in radii.
 struct LaneTargets {
     Vector normal, u, v, place;
-    Floats per_radius;
+    float per_radius;
 };
 static inline LaneTargets lane_targets(const TensorTargets& t, std::size_t lane) {
-    const Floats r = load(t.per_radius + lane);
     return {load_vectors(t.normal, lane), load_vectors(t.u, lane), load_vectors(t.v, lane),
-            load_vectors(t.position, lane) * r, r};
+            load_vectors(t.position, lane) * (Floats{} + t.per_radius), t.per_radius};
 }
 
 /// A source seen from the targets.

@@ -21,7 +21,7 @@ struct alignas(64) TensorSource {
 struct TensorTargets {
     alignas(64) float position[3][kSlopeLanes], normal[3][kSlopeLanes];
     alignas(64) float u[3][kSlopeLanes], v[3][kSlopeLanes];
-    alignas(64) float per_radius[kSlopeLanes];  ///< 1 / distance within which sources count
+    float per_radius;  ///< 1 / distance within which sources count
 };
 
 /// Weighted sums of positions (x, y) in the plane, in radii, and of S(u,u), S(u,v), S(v,v); by

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "field/edge_means.h"
 #include "field/field_steps.h"
 
 namespace laplacian_lines {
@@ -17,17 +16,45 @@ constexpr double kOfUnitNoise = 0.29;
 // ones 0.3, noise of 20 % of the edges -0.2 to 0.1.
 constexpr double kOfForm = 0.45, kOfNoise = 0.15;
 
+/// For each vertex v, the mean of value_of(v, other) over its edges, inner ones once per triangle.
+template <class ValueOf>
+std::vector<double> mean_over_edges(const PreparedMesh& mesh, const VertexRanges& ranges,
+                                    const StageProgress& stage, ValueOf value_of) {
+    std::vector<double> means(mesh.size(), 0);
+    std::vector<int> counts(mesh.size(), 0);
+    ranges.for_each(stage, [&](const VertexRanges::Range& range) {
+        const auto add = [&](std::uint32_t at, std::uint32_t other) {
+            if (!range.holds(at)) return;
+            means[at] += value_of(at, other);
+            ++counts[at];
+        };
+        range.for_each_triangle([&](const Triangle& t) {
+            for (int k = 0; k < 3; ++k) {
+                add(t[k], t[(k + 1) % 3]);
+                add(t[(k + 1) % 3], t[k]);
+            }
+        });
+        for (std::uint32_t v = range.begin(); v < range.end(); ++v)
+            means[v] /= counts[v];
+    });
+    return means;
+}
+
 }  // namespace
 
 double vertex_noise(const PreparedMesh& mesh, const VertexRanges& ranges,
                     const std::vector<Eigen::Vector3d>& normals, const StageProgress& stage) {
-    const std::vector<double> edges = mean_edges(mesh, ranges, stage.part(0, 0.3));
+    const auto edge = [&](std::uint32_t v, std::uint32_t other) -> Eigen::Vector3d {
+        return mesh.positions[other] - mesh.positions[v];
+    };
+    const std::vector<double> edges = mean_over_edges(
+        mesh, ranges, stage.part(0, 0.3),
+        [&](std::uint32_t v, std::uint32_t other) { return edge(v, other).norm(); });
     const std::vector<double> bumps = mean_over_edges(
-        mesh, ranges, {}, stage.part(0.3, 0.7), [&](std::uint32_t v, std::uint32_t other) {
-            return normals[v].dot(mesh.positions[other] - mesh.positions[v]);
-        });
+        mesh, ranges, stage.part(0.3, 0.7),
+        [&](std::uint32_t v, std::uint32_t other) { return normals[v].dot(edge(v, other)); });
     const std::vector<double> around =
-        mean_over_edges(mesh, ranges, {}, stage.part(0.7, 1),
+        mean_over_edges(mesh, ranges, stage.part(0.7, 1),
                         [&](std::uint32_t, std::uint32_t other) { return bumps[other]; });
     double products = 0, squares = 0;
     std::vector<double> differences;

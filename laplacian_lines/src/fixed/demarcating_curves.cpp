@@ -73,10 +73,10 @@ struct Demarcation {
     Eigen::Vector3f direction = Eigen::Vector3f::Zero();  ///< g
     Eigen::Vector3f bend = Eigen::Vector3f::Zero();
     float curvature = 0;  ///< II(g, g)
-    float strength = 0;   ///< C(g, g, g) h_e, degrees; 0: no direction
+    float strength = 0;   ///< C(g, g, g), degrees/D²; 0: no direction
 };
 
-Demarcation demarcation(const CurvatureRecord& record, float slope_scale) {
+Demarcation demarcation(const CurvatureRecord& record) {
     Demarcation result;
     const SteepestBend steepest =
         steepest_bend(Eigen::Map<const Eigen::Vector4f>(record.derivative));
@@ -88,16 +88,16 @@ Demarcation demarcation(const CurvatureRecord& record, float slope_scale) {
     result.direction = g.x() * frame.u + g.y() * frame.v;
     result.bend = bend.x() * frame.u + bend.y() * frame.v;
     result.curvature = g.dot(bend);
-    result.strength = kDegrees * steepest.slope * float(std::pow(double(slope_scale), 2 / 3.));
+    result.strength = kDegrees * steepest.slope;
     return result;
 }
 
-/// The value of its zeros is C(g, g, g) h_e in degrees.
+/// The value of its zeros is C(g, g, g), degrees/D².
 class ClusterCurves {
 public:
     explicit ClusterCurves(const PlacedCluster& placed) : placed_(placed) {
         for (unsigned v = 0; v < placed.cluster->vertex_count; ++v)
-            at_[v] = demarcation(placed.curvatures[v], placed.records[v].slope_scale);
+            at_[v] = demarcation(placed.curvatures[v]);
     }
 
     void add(unsigned triangle, ZeroPieces& pieces) const {
@@ -126,7 +126,7 @@ ZeroLines find_demarcating_curves(const ExtractorData& data) {
     ZeroLines found =
         find_zero_lines<ClusterCurves>(data, LineKind::DemarcatingCurve, kLeastLength);
     for (std::size_t i = 0; i < found.forms.size(); ++i)
-        found.lines.points[i].gradient = found.forms[i].value;
+        found.lines.points[i].gradient = found.forms[i].value * float(data.squared_scale);
     return found;
 }
 

@@ -12,10 +12,6 @@ const std::vector<OptionRow<PrecomputeOptions>>& precompute_option_table() {
                              "Size of the features that the lines show, &radic;h, in mesh units: "
                              "larger gives fewer and smoother lines. 0 means automatic: the mean "
                              "edge, but at least 0.45 % of the diagonal."),
-        choice<&O::kernel_mode>(
-            "kernel_mode", "Kernel", {"Uniform", "Adaptive"},
-            "Uniform: one size everywhere. Adaptive: it and the smoothing of normals follow the "
-            "local edge length, from a quarter to four times."),
         choice<&O::laplace_operator>(
             "laplace_operator", "Laplace Operator", {"Heat Kernel (Belkin)", "Cotangent"},
             "Heat Kernel: robust on irregular and noisy meshes. Cotangent, for comparison: only "
@@ -23,21 +19,14 @@ const std::vector<OptionRow<PrecomputeOptions>>& precompute_option_table() {
         real<&O::accuracy>("accuracy", "Accuracy", 1e-6, 0.1,
                            "Relative error that summing the heat kernel may add, 0.000001 to 0.1. "
                            "Smaller is slower."),
-        choice<&O::normal_weighting>("normal_weighting", "Normal Weighting",
-                                     {"Area", "Angle", "Max"},
-                                     "How triangle normals are averaged to vertex normals: by "
-                                     "triangle area, by corner angle, or by N. Max's weights."),
         choice<&O::normal_smoothing>(
-            "normal_smoothing", "Normal Smoothing", {"None", "Gaussian", "Bilateral"},
+            "normal_smoothing", "Normal Smoothing", {"None", "Gaussian"},
             "How the vertex normals that all else is computed from are smoothed; the mesh's own "
-            "normals are not changed. Bilateral keeps sharp edges."),
+            "normals are not changed."),
         real<&O::normal_sigma>(
             "normal_sigma", "Normal Smoothing Sigma", 0, 100,
             "In mean edge lengths. 0 means automatic: none on clean meshes, up to 0.8 on fine ones "
             "and up to 2.5 on noisy ones and terraces of volumes; the log says what was chosen."),
-        real<&O::bilateral_angle>("bilateral_angle", "Bilateral Angle", 0.1, 180,
-                                  "For bilateral smoothing: angle in degrees between two normals "
-                                  "at which they hardly influence each other any more."),
         choice<&O::gradient_estimator>(
             "gradient_estimator", "Gradient Estimator", {"Triangle Fit", "Least Squares"},
             "How the curvature, which gives the gradient of the illumination, is estimated: by a "

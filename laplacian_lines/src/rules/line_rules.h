@@ -28,6 +28,7 @@ struct LineRules {
     /// Skip triangles with n·l < 0 at all corners, where contour_clearance leaves no opacity.
     bool leave_out_away = false;
     bool use_slope = false;  ///< false: no slopes are computed or tested, nor decide the width
+    float slope_scale = 0;   ///< h_e^1.5, D³: slopes have no unit
     float segment_slope = 0, line_slope = 0, full_slope = 1;
     float least_strength = kAnything;
     float least_length = kAnything;  ///< D

@@ -60,7 +60,7 @@ public:
             const GaussianKernel& kernel, const GridResolution& resolution, GaussianSums& sums)
         : mesh_(mesh),
           normals_(normals),
-          size_(double(kernel.kernel_sizes.front())),
+          size_(kernel.size),
           facing_(kernel.facing),
           sums_(sums),
           grid_(mesh.positions, resolution.cell * size_),

@@ -35,15 +35,10 @@ public:
           leaf_(leaf),
           centre_(leaf.box.center()) {
         mean_normal_.setZero();
-        float smallest = kernel.kernel_sizes[leaf.begin], largest = smallest;
-        for (std::uint32_t v = leaf.begin; v < leaf.end; ++v) {
-            smallest = std::min(smallest, kernel.kernel_sizes[v]);
-            largest = std::max(largest, kernel.kernel_sizes[v]);
+        for (std::uint32_t v = leaf.begin; v < leaf.end; ++v)
             mean_normal_ += normals[v];
-        }
-        radius_ = kernel.cutoff * largest;
         mean_normal_ /= double(leaf.end - leaf.begin);
-        quick_ = kernel.quick && leaf.box.diagonal().norm() <= 2 * kQuickRadius * smallest;
+        quick_ = kernel.quick && leaf.box.diagonal().norm() <= 2 * kQuickRadius * kernel.size;
     }
 
     void sum(std::uint32_t begin, const std::vector<GaussianSource>& sources, std::size_t count,
@@ -55,7 +50,7 @@ public:
 
     std::size_t collect(const LeafSources<GaussianSource>& all,
                         std::vector<GaussianSource>& sources) const {
-        const std::size_t count = all.collect(leaf_, radius_, sources);
+        const std::size_t count = all.collect(leaf_, kernel_.cutoff * kernel_.size, sources);
         const Eigen::Vector3f mean = mean_normal_.cast<float>();
         for (std::size_t i = 0; i < count; ++i) {
             GaussianSource& s = sources[i];
@@ -74,14 +69,12 @@ private:
             const Eigen::Vector3f n = (normals_[v] - mean_normal_).cast<float>();
             t.x[lane] = p.x(), t.y[lane] = p.y(), t.z[lane] = p.z();
             t.nx[lane] = n.x(), t.ny[lane] = n.y(), t.nz[lane] = n.z();
-            const double size = kernel_.kernel_sizes[v];
-            t.squared_cutoff[lane] = float(std::pow(kernel_.cutoff * size, 2));
-            t.exponent[lane] = float(-kLog2E / (4 * size * size));
         }
         Eigen::Map<Eigen::Vector3f>(t.mean_normal) = mean_normal_.cast<float>();
+        t.squared_cutoff = float(std::pow(kernel_.cutoff * kernel_.size, 2));
+        t.exponent = float(-kLog2E / (4 * kernel_.size * kernel_.size));
         t.log2_cutoff = float(-kLog2E * kernel_.cutoff * kernel_.cutoff / 4);
         t.unit_mass = unit_mass_;
-        t.normal_exponent = float(-kLog2E * kernel_.normal_falloff);
         t.facing = kernel_.facing ? 1.f : 0.f;
         return t;
     }
@@ -103,7 +96,6 @@ private:
     const SpatialTree::Leaf& leaf_;
     const GaussianLoops& loops_ = fastest<GaussianLoops>();
     Eigen::Vector3d centre_, mean_normal_;
-    double radius_;
     bool quick_;
 };
 

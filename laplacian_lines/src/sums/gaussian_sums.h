@@ -21,14 +21,12 @@ inline double facing_weight(double cosine) {
     return (1 + cosine) * (1 + cosine) * (2 - cosine) / 4;
 }
 
-/// w(q) = m_q exp(−|q−p|²/(4 h(p)) − normal_falloff |n_q−n_p|²) over the vertices q within
-/// `cutoff`·√h(p) of p.
+/// w(q) = m_q exp(−|q−p|²/4h) over the vertices q within `cutoff`·√h of p.
 struct GaussianKernel {
-    std::vector<float> kernel_sizes;  ///< [N], √h(p), local units
-    double cutoff = 6;                ///< in √h
-    double normal_falloff = 0;        ///< > 0 makes the sum bilateral
-    bool facing = true;               ///< times facing_weight(n_q·n_p)
-    bool quick = false;               ///< kQuickError will do; no normal_falloff then
+    double size = 0;     ///< √h, local units
+    double cutoff = 6;   ///< in √h
+    bool facing = true;  ///< times facing_weight(n_q·n_p)
+    bool quick = false;  ///< kQuickError will do
 };
 
 /// What the normal smoothing and Belkin's operator are made of, [N] each.
@@ -52,8 +50,7 @@ GaussianSums gaussian_sums(const PreparedMesh& mesh, const SpatialTree& tree,
 
 struct GridResolution;  // summation_cost.h
 
-/// As gaussian_sums() without cutoff and normal_falloff, for kernels of one size, with the accuracy
-/// of the resolution, in a time that hardly depends on the kernel size: masses times moments of the
+/// As gaussian_sums() without cutoff, with the accuracy of the resolution, in a time that hardly depends on the kernel size: masses times moments of the
 /// normals are spread over a grid by cubic B-splines, convolved along x, y and z, and interpolated
 /// (R. W. Hockney and J. W. Eastwood, "Computer Simulation Using Particles", 1981; the idea is from
 /// L. Greengard and J. Strain, "The Fast Gauss Transform", 1991). Only nodes near the surface

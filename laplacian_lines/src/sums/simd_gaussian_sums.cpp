@@ -64,7 +64,6 @@ static inline void sum(const GaussianTargets& t, const GaussianSource* sources,
                        std::size_t source_count, std::size_t lane, GaussianLaneSums& result) {
     const Floats x = load(t.x + lane), y = load(t.y + lane), z = load(t.z + lane);
     const Floats nx = load(t.nx + lane), ny = load(t.ny + lane), nz = load(t.nz + lane);
-    const Floats squared_cutoff = load(t.squared_cutoff + lane), exponent = load(t.exponent + lane);
     const float facing_factor = t.facing / 32;
     LaneSums sums;
     for (std::size_t i = 0; i < source_count; ++i) {
@@ -76,9 +75,8 @@ static inline void sum(const GaussianTargets& t, const GaussianSource* sources,
         // facing_weight() of the cosine 1 − chord²/2
         const Floats facing =
             1.f + (facing_factor * (squared_chord * squared_chord)) * (squared_chord - 6.f);
-        const Floats g = exp2_exactly(squared * exponent + t.normal_exponent * squared_chord) *
-                         (s.mass * facing);
-        const Floats w = (Floats)((Ints)g & ~(squared > squared_cutoff));
+        const Floats g = exp2_exactly(squared * t.exponent) * (s.mass * facing);
+        const Floats w = (Floats)((Ints)g & ~(squared > t.squared_cutoff));
         sums.mass += w;
         sums.mx += w * dx;
         sums.my += w * dy;
@@ -101,7 +99,7 @@ struct QuickTargets {
 static inline QuickTargets quick_targets(const GaussianTargets& t, std::size_t lane) {
     QuickTargets q;
     const Floats px = load(t.x + lane), py = load(t.y + lane), pz = load(t.z + lane);
-    q.exponent = kQuickUnit * load(t.exponent + lane);
+    q.exponent = Floats{} + kQuickUnit * t.exponent;
     q.x = -2.f * px * q.exponent;
     q.y = -2.f * py * q.exponent;
     q.z = -2.f * pz * q.exponent;

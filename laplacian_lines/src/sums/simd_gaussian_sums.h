@@ -19,10 +19,9 @@ struct alignas(32) GaussianSource {
 struct GaussianTargets {
     alignas(64) float x[kTargets], y[kTargets], z[kTargets];
     alignas(64) float nx[kTargets], ny[kTargets], nz[kTargets];
-    alignas(64) float squared_cutoff[kTargets];
-    alignas(64) float exponent[kTargets];  ///< −log2(e)/(4h): exp2(exponent·|q−p|²)
-    float normal_exponent;  ///< −log2(e) falloff: exp2(normal_exponent·|n_q−n_p|²)
-    float log2_cutoff;      ///< exponent·squared_cutoff, the same for all
+    float squared_cutoff;
+    float exponent;     ///< −log2(e)/(4h): exp2(exponent·|q−p|²)
+    float log2_cutoff;  ///< exponent·squared_cutoff
     float unit_mass;
     float mean_normal[3];
     float facing;  ///< 1: times facing_weight(n_q·n_p); 0: not
@@ -39,8 +38,7 @@ struct GaussianLoops {
     /// Sums all sources for each target.
     void (*sum)(const GaussianTargets& targets, const GaussianSource* sources,
                 std::size_t source_count, GaussianLaneSums& sums);
-    /// With errors of kQuickError and without normal_exponent, for targets within kQuickRadius √h
-    /// of the group's centre.
+    /// With errors of kQuickError, for targets within kQuickRadius √h of the group's centre.
     void (*sum_quickly)(const GaussianTargets& targets, const GaussianSource* sources,
                         std::size_t source_count, GaussianLaneSums& sums);
 };

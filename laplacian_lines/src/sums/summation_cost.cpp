@@ -26,26 +26,10 @@ constexpr double kLeastRoughness = 0.01;  // a plane: Δn is about 0
 
 constexpr double kCostly = 3e7;  // half a minute
 
-/// `radius_at(v)`: radius of the sum at vertex v.
-template <class RadiusAt>
-double direct_cost(const SpatialTree& tree, RadiusAt radius_at) {
-    const auto& leaves = tree.leaves();
-    const std::size_t step = std::max<std::size_t>(1, leaves.size() / kSampledLeaves);
-    double pairs = 0, sampled = 0;
-    for (std::size_t i = step / 2; i < leaves.size(); i += step) {
-        tree.visit_leaves(leaves[i].box, radius_at(leaves[i].begin),
-                          [&](const SpatialTree::Leaf&) { ++pairs; });
-        ++sampled;
-    }
-    return kPerLeafPair * pairs * double(leaves.size()) / sampled;
-}
-
 double grid_cost(const PreparedMesh& mesh, const GaussianKernel& kernel,
                  const GridResolution& resolution) {
-    const auto [least, most] =
-        std::minmax_element(kernel.kernel_sizes.begin(), kernel.kernel_sizes.end());
-    const double cell = resolution.cell * double(*least), vertices = double(mesh.size());
-    if (!resolution.is_exact || *least != *most ||
+    const double cell = resolution.cell * kernel.size, vertices = double(mesh.size());
+    if (!resolution.is_exact ||
         GridGeometry(mesh.positions, cell).block_count() > kBlocksPerVertex * vertices + 1e6)
         return std::numeric_limits<double>::infinity();
     const double area = sum_of(mesh.size(), [&](std::size_t v) { return mesh.masses[v]; });
@@ -72,13 +56,20 @@ GridResolution grid_resolution(double accuracy, double roughness) {
 
 SummationCosts summation_costs(const PreparedMesh& mesh, const SpatialTree& tree,
                                const GaussianKernel& kernel, const GridResolution& resolution) {
-    const auto radius = [&](std::uint32_t v) { return kernel.cutoff * kernel.kernel_sizes[v]; };
     const double speed = kernel.quick ? kQuick : 1;
-    return {speed * direct_cost(tree, radius), grid_cost(mesh, kernel, resolution)};
+    return {speed * pairs_cost(tree, kernel.cutoff * kernel.size),
+            grid_cost(mesh, kernel, resolution)};
 }
 
 double pairs_cost(const SpatialTree& tree, double radius) {
-    return direct_cost(tree, [&](std::uint32_t) { return radius; });
+    const auto& leaves = tree.leaves();
+    const std::size_t step = std::max<std::size_t>(1, leaves.size() / kSampledLeaves);
+    double pairs = 0, sampled = 0;
+    for (std::size_t i = step / 2; i < leaves.size(); i += step) {
+        tree.visit_leaves(leaves[i].box, radius, [&](const SpatialTree::Leaf&) { ++pairs; });
+        ++sampled;
+    }
+    return kPerLeafPair * pairs * double(leaves.size()) / sampled;
 }
 
 void refuse_costly_sum(double cost, const char* advice) {

@@ -20,8 +20,7 @@ GridResolution grid_resolution(double accuracy, double roughness);
 /// microsecond. Depends on the mesh and the kernel, not on a clock.
 struct SummationCosts {
     double direct = 0;
-    /// Infinite if kernels differ in size, or if it would need too much memory or be inexact.
-    double grid = 0;
+    double grid = 0;  ///< infinite if it would need too much memory or be inexact
 };
 
 /// The cost of visiting all vertices within `radius` of each vertex.

@@ -14,7 +14,7 @@ namespace meshlab_host {
 /// columns in laplacian_lines/field_columns.h, vectors as Point3m, numbers as Scalarm. The per-mesh
 /// attribute ll_record describes them; without it, the field does not count.
 struct FieldRecord {
-    static constexpr std::uint32_t current_layout = 7;
+    static constexpr std::uint32_t current_layout = 8;
 
     std::uint32_t layout = current_layout;
     std::uint32_t columns = 0;  ///< bit i: the field had the column of row i

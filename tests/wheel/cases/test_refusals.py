@@ -30,7 +30,7 @@ class Refusals(unittest.TestCase):
         self.expect(TypeError, "no option 'detail'", ll.field, mesh, detail=1)
         self.expect(ll.Error, "\"Kernel Size\" is -1. It has to be at least 0", ll.field, mesh, kernel_size=-1)
         self.expect(ll.Error, "\"Detail\" is nan. It has to be between 0 and 100", ll.lines, mesh, detail=float("nan"), **FRONT)
-        for given, words in (({"kernel_mode": "round"}, "'Uniform', 'Adaptive'"), ({"kernel_mode": 2}, "'Uniform', 'Adaptive'"),
+        for given, words in (({"normal_smoothing": "round"}, "'None', 'Gaussian'"), ({"normal_smoothing": 2}, "'None', 'Gaussian'"),
                              ({"weld_duplicates": 0.5}, "of type bool"), ({"kernel_size": "1 mm"}, "of type float")):
             self.expect(TypeError, words, ll.field, mesh, **given)
         self.expect(ll.Error, '"rigdes" are not kinds of lines.*ridges', ll.lines, mesh, kinds="rigdes", **FRONT)

@@ -158,7 +158,6 @@ struct SegmentMemory {
     alignas(64) float u[3][kPlaces];  ///< first to second corner
     alignas(64) float v[3][kPlaces];  ///< first to third corner
     alignas(64) float fu[kPlaces], fv[kPlaces];  ///< differences of the function
-    alignas(64) float scale[kPlaces];            ///< sum of slope_scale
     alignas(64) float slope[kPlaces];            ///< < 0: refused
     alignas(64) float sums[kPlaces][4];          ///< as in Strip
     std::uint16_t next[kPlaces];                 ///< segment, or kNone

@@ -293,10 +293,9 @@ static inline void collect_apparent_corners(const Batch& batch, const ActiveTria
         const ActiveTriangle& t = active.triangles[s.triangle[i]];
         const unsigned corners[3] = {t.exit[0], t.exit[1], t.third};
         Float4 direction = {}, p[3];
-        float values[3], scale = 0;
+        float values[3];
         for (unsigned k = 0; k < 3; ++k) {
             p[k] = load4(records_around(batch, corners[k])[corners[k]]);
-            scale += p[k][3];
             const float* vector = apparent.vectors[corners[k]];
             const float sign = dot3(apparent.vectors[corners[0]], vector) < 0 ? -1.f : 1.f;
             values[k] = sign * vector[3];
@@ -312,7 +311,6 @@ static inline void collect_apparent_corners(const Batch& batch, const ActiveTria
             s.v[k][i] = v[k];
             s.g[k][i] = unit * direction[k];
         }
-        s.scale[i] = scale;
     }
 }
 

@@ -194,7 +194,7 @@ static inline Vectors towards(const float eye[4], const CrossingMemory& m, std::
 /// What the slope of a segment is, of whole lines less than 0 where ∇f·d > 0: with ∇f of the linear
 /// interpolant and the vectors d that a kind's test leaves in CrossingMemory::g,
 enum class SegmentSlope {
-    Scaled,     ///< ‖∇f‖ times slope_scale
+    Scaled,     ///< ‖∇f‖ times LineRules::slope_scale
     Along,      ///< −∇f·d, a change in a squared length, times h_e, to the power 1.5
     AlongOnce,  ///< −∇f·d, a change in a length to the power 3, times h_e^1.5
 };

@@ -106,7 +106,6 @@ static inline void collect_corners(const Batch& batch, const ActiveTriangles& ac
             v[k] = c - a;
             for (int axis = 0; axis < 3; ++axis)
                 s.g[axis][i + k] = m.g[axis][s.begin[i + k]] + m.g[axis][place];
-            s.scale[i + k] = (a + b + c)[3];
             s.fu[i + k] = m.above[place] - m.below[place];
             s.fv[i + k] = function[t.third] - m.below[place];
         }
@@ -131,7 +130,7 @@ static inline void test_segments(const LineRules& rules, SegmentMemory& s, std::
             const Floats change = -product / (2 * squared);  // d summed over both ends
             const Floats size = absolute(change);
             const Floats powered = Slope == SegmentSlope::Along ? size * square_root(size) : size;
-            const Floats slope = powered * (load(s.scale + i) / 3);
+            const Floats slope = powered * rules.slope_scale;
             const Floats most = at_most(slope, rules.segment_slope + rules.full_slope);
             const Ints kept = (slope >= rules.segment_slope) & (change > 0);
             if (rules.whole)  // nothing of a sliver's NaN
@@ -141,7 +140,7 @@ static inline void test_segments(const LineRules& rules, SegmentMemory& s, std::
             continue;
         }
         const Floats steepness = square_root(dot(f, f)) / squared;
-        const Floats slope = steepness * (load(s.scale + i) / 3);
+        const Floats slope = steepness * rules.slope_scale;
         if (rules.whole) {  // nothing of a sliver's NaN
             store(s.slope + i, slope >= 0 ? (product <= 0 ? slope : -slope) : Floats{});
             continue;
