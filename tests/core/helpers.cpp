@@ -164,6 +164,22 @@ bool lies_on_the_surface(LineKind kind) {
            kind == LineKind::Crease || kind == LineKind::DemarcatingCurve;
 }
 
+Field true_field(const test_meshes::AnalyticMesh& surface, const FieldScale& scale) {
+    Field field;
+    field.scale = scale;
+    for (const test_meshes::SurfacePoint& p : surface.truth) {
+        const Eigen::Matrix3f s = p.shape_operator.cast<float>();
+        field.normals.push_back(p.normal.cast<float>());
+        field.laplacian_normals.push_back(p.laplacian_normal.cast<float>());
+        field.shape_operators.push_back({s(0, 0), s(1, 1), s(2, 2), s(1, 2), s(0, 2), s(0, 1)});
+        field.smooth_curvatures.push_back(
+            curvature_entries(p.shape_operator, field.normals.back()).cast<float>());
+        field.curvature_derivatives.push_back(
+            derivative_entries(p.shape_derivative, field.normals.back()).cast<float>());
+    }
+    return field;
+}
+
 Field complete_field(const TriangleMesh& mesh, PrecomputeOptions options) {
     options.curvature_derivatives = true;
     return precompute(mesh, options);

@@ -52,6 +52,10 @@ laplacian_lines::LineStyle only(laplacian_lines::LineKind kind);
 /// Whether only the visibility of a kind's lines depends on the view.
 bool lies_on_the_surface(laplacian_lines::LineKind kind);
 
+/// That of the smooth surface, with S̄ = S. Lengths are `scale`, so that thresholds mean the same.
+laplacian_lines::Field true_field(const test_meshes::AnalyticMesh& surface,
+                                  const laplacian_lines::FieldScale& scale);
+
 /// With what any kind needs.
 laplacian_lines::Field complete_field(const laplacian_lines::TriangleMesh& mesh,
                                       laplacian_lines::PrecomputeOptions options = {});

@@ -15,23 +15,6 @@ namespace {
 using namespace laplacian_lines;
 using test_meshes::AnalyticMesh;
 
-/// Lengths are `scale`, so that thresholds mean the same.
-Field true_field(const AnalyticMesh& surface, const FieldScale& scale) {
-    Field field;
-    field.scale = scale;
-    for (const test_meshes::SurfacePoint& p : surface.truth) {
-        const Eigen::Matrix3f s = p.shape_operator.cast<float>();
-        field.normals.push_back(p.normal.cast<float>());
-        field.laplacian_normals.push_back(p.laplacian_normal.cast<float>());
-        field.shape_operators.push_back({s(0, 0), s(1, 1), s(2, 2), s(1, 2), s(0, 2), s(0, 1)});
-        field.smooth_curvatures.push_back(
-            helpers::curvature_entries(p.shape_operator, field.normals.back()).cast<float>());
-        field.curvature_derivatives.push_back(
-            helpers::derivative_entries(p.shape_derivative, field.normals.back()).cast<float>());
-    }
-    return field;
-}
-
 /// Distances both ways, from what is clearly above the thresholds to anything in the other drawing,
 /// even below them.
 struct Distance {
@@ -46,7 +29,7 @@ public:
         : border_(border),
           field_(helpers::complete_field(mesh)),
           found_(mesh, field_),
-          truth_(fine.mesh, true_field(fine, field_.scale)) {}
+          truth_(fine.mesh, helpers::true_field(fine, field_.scale)) {}
 
     Distance distance(LineKind kind) const {
         constexpr double kClear = 1.5;  // times a threshold, or its inverse

@@ -17,14 +17,6 @@ using helpers::extract;
 
 constexpr double kPi = 3.14159265358979323846;
 
-PrecomputeOptions sphere_options() {
-    PrecomputeOptions options;
-    options.normal_smoothing = NormalSmoothing::None;
-    options.kernel_size = 0.15;
-    options.skip_opposite_sheet = false;  // its weights fade around the sphere
-    return options;
-}
-
 /// The silhouette of a sphere of radius R seen from distance d is the circle of radius
 /// R √(1 − R²/d²) at height R²/d; from infinity the great circle.
 double distance_to_silhouette(const Eigen::Vector3d& p, const Eigen::Vector3d& direction,
@@ -35,7 +27,8 @@ double distance_to_silhouette(const Eigen::Vector3d& p, const Eigen::Vector3d& d
 
 void expect_silhouette(const View& view, const LineStyle& style, double tolerance) {
     const auto sphere = test_meshes::sphere(5);
-    const LineExtractor extractor(sphere.mesh, precompute(sphere.mesh, sphere_options()));
+    const LineExtractor extractor(sphere.mesh,
+                                  helpers::true_field(sphere, measure_scale(sphere.mesh)));
     const LineSet lines = extract(extractor, view, style);
     const double height = view.w == 0 ? 0 : view.w / view.eye.norm();
     ASSERT_EQ(lines.lines.size(), 1u);

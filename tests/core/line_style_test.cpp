@@ -200,10 +200,8 @@ using helpers::total_length;
 /// On a sphere ΔI = Δn·d vanishes where n·d does, whatever the eye; contours stay the eye's.
 TEST(Light, DirectionalLightDrawsItsOwnTerminator) {
     const auto sphere = test_meshes::sphere(5);
-    PrecomputeOptions options;
-    options.normal_smoothing = NormalSmoothing::None;
-    options.kernel_size = 0.15;
-    const LineExtractor extractor(sphere.mesh, precompute(sphere.mesh, options));
+    const LineExtractor extractor(sphere.mesh,
+                                  helpers::true_field(sphere, measure_scale(sphere.mesh)));
     View view = View::perspective(4 * kOblique);
     const LineSet contours = extract(extractor, view, helpers::all_contours());
     view.light = Eigen::Vector3d(0.3, -5, 1);

@@ -78,7 +78,7 @@ TYPED_TEST(OptionTable, ValuesMakeTheRoundTripAlone) {
 
 /// No dialog could set a member without a row: counts the members' bytes.
 TEST(OptionTables, DescribeEveryMember) {
-    EXPECT_EQ(precompute_option_table().size(), 14u);
+    EXPECT_EQ(precompute_option_table().size(), 11u);
     EXPECT_EQ(line_style_table().size(), 25 + kLineKindCount);
     EXPECT_EQ(sizeof(LineStyle), 25 * sizeof(double));
 }

@@ -25,8 +25,8 @@ Vectors normals(const TriangleMesh& mesh);
 Vectors smoothed(const TriangleMesh& mesh, const Vectors& normals, double sigma);
 
 /// Eq. 2 over all vertices (Belkin and others 2008), without cutoff and corrections.
-Vectors laplacian(const TriangleMesh& mesh, const Vectors& normals,
-                  double kernel_size, bool skip_opposite_sheet);
+Vectors laplacian(const TriangleMesh& mesh, const Vectors& normals, double kernel_size,
+                  bool skip_opposite_sheet);
 
 struct Line {
     Vectors points;  ///< mesh coordinates; of a closed line the first again at the end

@@ -85,8 +85,8 @@ Vectors smoothed(const TriangleMesh& mesh, const Vectors& normals, double sigma)
     return result;
 }
 
-Vectors laplacian(const TriangleMesh& mesh, const Vectors& normals,
-                  double kernel_size, bool skip_opposite_sheet) {
+Vectors laplacian(const TriangleMesh& mesh, const Vectors& normals, double kernel_size,
+                  bool skip_opposite_sheet) {
     const std::vector<double> m = masses(mesh);
     const double h = kernel_size * kernel_size;
     Vectors result(normals.size(), Eigen::Vector3d::Zero());

@@ -56,8 +56,8 @@ TEST(ReferenceField, HasTheSameLaplacianAsAccuratelyAsAskedFor) {
             for (const bool skip : {false, true}) {
                 PrecomputeOptions options = uncorrected_options(size * reference::mean_edge(mesh));
                 options.skip_opposite_sheet = skip;
-                const auto expected = reference::laplacian(mesh, reference::normals(mesh),
-                                                           options.kernel_size, skip);
+                const auto expected =
+                    reference::laplacian(mesh, reference::normals(mesh), options.kernel_size, skip);
                 for (const double accuracy : {1e-2, 1e-3, 1e-5}) {
                     options.accuracy = accuracy;
                     EXPECT_LT(relative_error(precompute(mesh, options).laplacian_normals, expected),

@@ -94,8 +94,8 @@ for was, now in zip(before, (mesh.vertex_matrix(), mesh.face_matrix(), mesh.vert
     assert (was == now).all(), "the filter changed the mesh"
 ms.compute_laplacian_lines_per_vertex(curvature_derivatives=True)
 ms.compute_scalar_by_function_per_vertex(q="ll_curvature_derivative_vvv")  # other filters can use it
-expected = laplacian_lines.field(str(MESH), curvature_derivatives=True)
-assert numpy.allclose(mesh.vertex_scalar_array(), expected["ll_curvature_derivative_vvv"])
+derivatives = laplacian_lines.field(str(MESH), curvature_derivatives=True)
+assert numpy.allclose(mesh.vertex_scalar_array(), derivatives["ll_curvature_derivative_vvv"])
 # lengths and percentages of the diagonal; choices by number and by text
 length = mesh.bounding_box().diagonal() / 10
 wide = computed(kernel_size=pymeshlab.PercentageValue(10))

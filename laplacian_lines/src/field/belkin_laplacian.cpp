@@ -29,10 +29,10 @@ double tail(double u) {
 /// RMS of √h|S|, as grid_resolution() takes it.
 double roughness(double kernel_size, const ShapeOperators& shape_operators) {
     const std::size_t count = shape_operators.size();
-    return kernel_size * std::sqrt(sum_of(count, [&](std::size_t i) {
-                                       return shape_operators[i].squaredNorm();
-                                   }) /
-                                   double(count));
+    return kernel_size *
+           std::sqrt(
+               sum_of(count, [&](std::size_t i) { return shape_operators[i].squaredNorm(); }) /
+               double(count));
 }
 
 /// Radius, in √h, beyond which the part `accuracy` of the kernel's second moment lies.

@@ -162,8 +162,7 @@ Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options,
 
     // n, the normals, from whose triangles noise is smoothed out: shading with the light at the eye
     // is I = n·l.
-    local.normals =
-        vertex_normals(prepared, ranges, stage(kSorted, kNormals, "Computing normals"));
+    local.normals = vertex_normals(prepared, ranges, stage(kSorted, kNormals, "Computing normals"));
     const StageProgress smoothing = stage(kNormals, kSmoothNormals, "Smoothing normals");
     local.roughness =
         measure_roughness(prepared, ranges, tree, local.normals, smoothing.part(0, 0.3));

@@ -104,10 +104,8 @@ ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEy
         LineRules rules = strip_rules(kind, style, task.light_at_eye);
         rules.kind = kind;
         rules.kernel_size = data.kernel_size;
-        rules.slope_scale = float(std::pow(kind == LineKind::Laplacian
-                                               ? data.laplacian_squared_scale
-                                               : data.squared_scale,
-                                           1.5));
+        rules.slope_scale = float(std::pow(
+            kind == LineKind::Laplacian ? data.laplacian_squared_scale : data.squared_scale, 1.5));
         if (data.is_sheet) rules.concave_thinning = LineRules::kNoThinning;
         const float least_facing =
             rules.leave_out_away ? 0 : least_scaled_facing(rules.least_facing, eye);
