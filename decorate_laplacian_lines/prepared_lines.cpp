@@ -46,7 +46,7 @@ PreparedLinesPointer prepare_lines(const CMeshO& mesh, const QString& mesh_name,
     result->key = source.key;
     try {
         const WaitCursor wait_cursor;
-        TriangleMesh triangles = meshlab_host::to_triangle_mesh(mesh);
+        TriangleMesh triangles = meshlab_host::to_drawn_mesh(mesh);
         Field field = meshlab_host::find_or_compute_field(mesh, triangles, mesh_name, source, say);
         result->diagonal = field.scale.diagonal;
         result->depth_bias_edge = laplacian_lines::depth_bias_edge(field);
@@ -79,7 +79,7 @@ void add_derivatives(PreparedLines& lines, const CMeshO& mesh, const QString& me
     clock.start();
     try {
         const WaitCursor wait_cursor;
-        const TriangleMesh triangles = meshlab_host::to_triangle_mesh(mesh);
+        const TriangleMesh triangles = meshlab_host::to_drawn_mesh(mesh);
         if (lines.field)
             meshlab_host::ensure_derivatives(triangles, *lines.field);
         else

@@ -41,7 +41,7 @@ constexpr double kFieldShare = 0.7, kSightShare = 0.8, kExtractorShare = 0.95;
 /// Copied from the layer, which may be deleted while the progress bar runs the event loop.
 struct Source {
     explicit Source(const MeshModel& mesh)
-        : triangles(meshlab_host::to_triangle_mesh(mesh.cm)),
+        : triangles(meshlab_host::to_drawn_mesh(mesh.cm)),
           name(mesh.label()),
           transform(mesh.cm.Tr),
           layer(meshlab_host::layer_transform(mesh.cm)) {}

@@ -23,7 +23,7 @@ constexpr double kFieldShare = 0.9;  // of the time, about; derivatives take the
 WorldLayer copy_layer(const MeshModel& layer, const FilterRun& run, const Progress& progress) {
     const Eigen::Matrix4d transform = meshlab_host::layer_transform(layer.cm);
     const meshlab_host::FieldSource source = meshlab_host::field_source(layer.cm);
-    WorldLayer result{layer.label(), meshlab_host::to_triangle_mesh(layer.cm), {}};
+    WorldLayer result{layer.label(), meshlab_host::to_drawn_mesh(layer.cm), {}};
     if (source.status == meshlab_host::FieldStatus::Current) {
         result.field = meshlab_host::find_or_compute_field(layer.cm, result.mesh, result.name,
                                                            source, run.say, progress);

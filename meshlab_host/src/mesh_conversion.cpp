@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshlab_host/mesh_conversion.h"
 
+#include "laplacian_lines/refinement.h"
+
 namespace meshlab_host {
 
 bool has_deleted_vertices(const CMeshO& mesh) {
@@ -32,6 +34,10 @@ laplacian_lines::TriangleMesh to_triangle_mesh(const CMeshO& mesh) {
         result.triangles.push_back(triangle);
     }
     return result;
+}
+
+laplacian_lines::TriangleMesh to_drawn_mesh(const CMeshO& mesh) {
+    return laplacian_lines::refined(to_triangle_mesh(mesh));
 }
 
 }  // namespace meshlab_host

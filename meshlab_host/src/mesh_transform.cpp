@@ -35,6 +35,10 @@ void apply_transform(const Eigen::Matrix4d& layer, TriangleMesh& mesh) {
             "The layer's transformation cannot be inverted. Reset it, or freeze it.");
     for (Eigen::Vector3d& p : mesh.positions)
         p = linear * p + layer.topRightCorner<3, 1>();
+    const Eigen::Matrix3d of_normals = linear.inverse().transpose();
+    for (Eigen::Vector3d& n : mesh.normals)
+        n = (of_normals * n).stableNormalized();
+    mesh.least_kernel *= mean_scale(layer);
     if (determinant < 0)
         for (laplacian_lines::Triangle& triangle : mesh.triangles)
             std::swap(triangle[1], triangle[2]);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "laplacian_lines/refinement.h"
 #include "line_drawing/atomic_file.h"
 #include "line_drawing/make_sheet.h"
 
@@ -60,6 +61,7 @@ ReadMesh read_and_report(const std::string& file, const CommandLine& commands) {
     ReadMesh read = read_mesh(file, commands.choices.draws_damaged);
     if (!read.remark.empty()) say(stderr, file + ": " + read.remark);
     if (!read.defect.empty()) say(stderr, file + " is drawn incomplete: " + read.defect);
+    read.mesh = laplacian_lines::refined(std::move(read.mesh));
     return read;
 }
 

@@ -3,6 +3,7 @@
 #include <nanobind/stl/tuple.h>
 
 #include "arrays.h"
+#include "laplacian_lines/refinement.h"
 #include "line_drawing/make_sheet.h"
 #include "line_drawing/sheet_choices.h"
 #include "line_drawing/sheet_file.h"
@@ -47,7 +48,7 @@ nb::dict draw(const nb::list& meshes, const Words& words, const std::string& end
     for (const nb::handle mesh : meshes) {
         const auto [positions, triangles, file, hash] =
             nb::cast<std::tuple<Positions, Triangles, std::string, std::string>>(mesh);
-        read.push_back(mesh_of(positions, triangles));
+        read.push_back(laplacian_lines::refined(mesh_of(positions, triangles)));
         sources.push_back({file, hash});
         if (file.empty()) continue;
         files.push_back(file);

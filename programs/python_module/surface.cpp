@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "laplacian_lines/refinement.h"
+
 namespace python_module {
 namespace {
 
@@ -24,14 +26,15 @@ ViewLine view_line(const LineSet& set, const Polyline& line) {
 
 Surface::Surface(TriangleMesh mesh, const PrecomputeOptions& options, const Progress& progress)
     : mesh_(std::move(mesh)),
-      field_(precompute(mesh_, options, progress)),
-      has_own_kernel_(options.kernel_size > 0),
-      wants_derivatives_(options.curvature_derivatives) {}
+      finer_(refined(mesh_, progress)),
+      options_(options),
+      is_refined_(finer_.triangles.size() > mesh_.triangles.size()),
+      field_(precompute(mesh_, options, progress)) {}
 
 Field Surface::field() const {
     const std::lock_guard using_parts(parts_);
     Field field = field_;
-    if (!wants_derivatives_) {
+    if (!options_.curvature_derivatives) {
         field.smooth_curvatures.clear();
         field.curvature_derivatives.clear();
     }
@@ -53,7 +56,7 @@ std::vector<ViewLine> Surface::lines(const View& view, const LineStyle& style,
 std::vector<ViewLine> Surface::visible_lines(const View& view, const LineStyle& style,
                                              VisibilityOptions options, const Progress& progress) {
     const std::lock_guard using_parts(parts_);
-    if (!visibility_) visibility_ = std::make_unique<LineVisibility>(mesh_, progress);
+    if (!visibility_) visibility_ = std::make_unique<LineVisibility>(drawn_mesh(), progress);
     ExtractionScratch scratch;
     const LineSet lines = extract_on_surface(extractor(style, progress), view, style, scratch);
     options.shows = style.shows;
@@ -66,20 +69,30 @@ std::vector<ViewLine> Surface::strokes(const line_drawing::ViewFrame& frame,
                                        const line_drawing::SheetOptions& options, double size,
                                        const Progress& progress) {
     const std::lock_guard using_parts(parts_);
-    if (has_own_kernel_ && options.style.shows.needs_derivatives())
+    const bool has_own_kernel = options_.kernel_size > 0;
+    if (has_own_kernel && options.style.shows.needs_derivatives())
         extractor(options.style, progress);  // adds them to the field
-    const line_drawing::Objects objects = {{mesh_, has_own_kernel_ ? &field_ : nullptr}};
+    const line_drawing::Objects objects = {
+        {drawn_mesh(), has_own_kernel ? &drawn_field(progress) : nullptr}};
     return line_drawing::strokes_of(objects, frame, options, progress, size);
+}
+
+Field& Surface::drawn_field(const Progress& progress) {
+    if (!is_refined_) return field_;
+    if (!finer_field_)
+        finer_field_ = precompute(finer_, refined_options(options_, mesh_, finer_), progress);
+    return *finer_field_;
 }
 
 /// With derivatives if the style needs them.
 const LineExtractor& Surface::extractor(const LineStyle& style, const Progress& progress) {
-    if (!extractor_) extractor_ = std::make_unique<LineExtractor>(mesh_, field_, progress);
-    if (style.shows.needs_derivatives() && !field_.has_derivatives()) {
-        Field field = field_;  // as a whole or not at all
-        add_curvature_derivatives(mesh_, field, progress);
-        extractor_->add_derivatives(mesh_, field);
-        field_ = std::move(field);
+    Field& known = drawn_field(progress);
+    if (!extractor_) extractor_ = std::make_unique<LineExtractor>(drawn_mesh(), known, progress);
+    if (style.shows.needs_derivatives() && !known.has_derivatives()) {
+        Field field = known;  // as a whole or not at all
+        add_curvature_derivatives(drawn_mesh(), field, progress);
+        extractor_->add_derivatives(drawn_mesh(), field);
+        known = std::move(field);
     }
     return *extractor_;
 }

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "laplacian_lines/field.h"
@@ -17,7 +18,7 @@ namespace python_module {
 
 using namespace laplacian_lines;
 
-/// A mesh, its field, and what lines need of them, computed on demand. Thread-safe.
+/// A mesh, its field, and what lines of the refined mesh need, computed on demand. Thread-safe.
 class Surface {
 public:
     /// @throws laplacian_lines::Error as precompute()
@@ -43,12 +44,15 @@ public:
                                   const Progress& progress);
 
 private:
+    const TriangleMesh& drawn_mesh() const { return is_refined_ ? finer_ : mesh_; }
+    Field& drawn_field(const Progress& progress);
     const LineExtractor& extractor(const LineStyle& style, const Progress& progress);
 
-    const TriangleMesh mesh_;
+    const TriangleMesh mesh_, finer_;
+    const PrecomputeOptions options_;
+    const bool is_refined_;
     Field field_;
-    const bool has_own_kernel_;
-    const bool wants_derivatives_;
+    std::optional<Field> finer_field_;
     std::unique_ptr<LineExtractor> extractor_;
     std::unique_ptr<const LineVisibility> visibility_;
     mutable std::mutex parts_;  // one view at a time, which the core computes on all processors

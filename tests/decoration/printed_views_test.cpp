@@ -142,6 +142,8 @@ TEST_F(PrintedViewsTest, SayOnceWhatTheyLack) {
 }
 
 TEST_F(PrintedViewsTest, AreOfLayersHoweverTheyStand) {
+    mesh_.Clear();
+    make_sheet(mesh_, 330);  // so fine that it is not refined before it is stretched
     const Eigen::Matrix4d mirrored = Eigen::Vector4d(-2, 1, 1, 1).asDiagonal();
     const auto placed = request(turned(20, scene_of({mirrored})), true).picture;
     for (auto& vertex : mesh_.vert)

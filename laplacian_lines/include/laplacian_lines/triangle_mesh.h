@@ -17,6 +17,10 @@ using Triangle = std::array<std::uint32_t, 3>;
 struct TriangleMesh {
     std::vector<Eigen::Vector3d> positions;  ///< [V], in the mesh's own length unit
     std::vector<Triangle> triangles;         ///< [T], indices into positions
+    /// [V], or empty. Unit normals for precompute(), outward; where 0, and if empty, those of the
+    /// triangles count.
+    std::vector<Eigen::Vector3d> normals = {};
+    double least_kernel = 0;  ///< mesh units: automatic √h are not smaller
 };
 
 /// The usable triangles, with cracks and T-junctions resolved as by precompute() and LineExtractor:

@@ -18,14 +18,15 @@ double automatic_kernel_size(double mean_edge, double diagonal) {
 }
 
 double kernel_size_of(const PreparedMesh& mesh, const PrecomputeOptions& options) {
+    const double edge = std::max(mesh.mean_edge, mesh.least_kernel / kLeastKernelEdges);
     if (options.drawn_kernel_size > 0) {
-        const double least = options.least_drawn_edges * mesh.mean_edge;
+        const double least = options.least_drawn_edges * edge;
         return std::clamp(options.drawn_kernel_size / mesh.diagonal, least,
                           std::max(least, kLargestDrawnKernel));
     }
     return options.kernel_size > 0
                ? std::clamp(options.kernel_size / mesh.diagonal, kSmallestKernel, kLargestKernel)
-               : automatic_kernel_size(mesh.mean_edge, 1);
+               : automatic_kernel_size(edge, 1);
 }
 
 }  // namespace laplacian_lines

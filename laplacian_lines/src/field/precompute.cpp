@@ -68,6 +68,16 @@ double smoothing_sigma(const PreparedMesh& mesh, const PrecomputeOptions& option
                      least_sigma(kernel_size, mesh.mean_edge), of_drawing});
 }
 
+/// Replaces normals by those that the mesh has.
+void take_normals(const TriangleMesh& mesh, const PreparedMesh& prepared,
+                  std::vector<Eigen::Vector3d>& normals) {
+    if (mesh.normals.empty()) return;
+    for_each_element(normals.size(), [&](std::size_t i) {
+        const Eigen::Vector3d& n = mesh.normals[prepared.original_vertex[i]];
+        if (!n.isZero()) normals[i] = n;
+    });
+}
+
 ShapeOperators estimate_shape_operators(const PreparedMesh& mesh, const SpatialTree& tree,
                                         const VertexRanges& ranges,
                                         const std::vector<Eigen::Vector3d>& normals,
@@ -163,6 +173,7 @@ Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options,
     // n, the normals, from whose triangles noise is smoothed out: shading with the light at the eye
     // is I = n·l.
     local.normals = vertex_normals(prepared, ranges, stage(kSorted, kNormals, "Computing normals"));
+    take_normals(mesh, prepared, local.normals);
     const StageProgress smoothing = stage(kNormals, kSmoothNormals, "Smoothing normals");
     local.roughness =
         measure_roughness(prepared, ranges, tree, local.normals, smoothing.part(0, 0.3));

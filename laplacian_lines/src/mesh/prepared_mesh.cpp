@@ -50,6 +50,8 @@ bool is_degenerate(const Positions& positions, const Triangle& t) {
 
 void check_indices(const TriangleMesh& mesh) {
     const std::size_t count = mesh.positions.size();
+    if (!mesh.normals.empty() && mesh.normals.size() != count)
+        throw Error(ErrorCode::InvalidMesh, "A mesh has a normal for each vertex, or none.");
     for (const Triangle& t : mesh.triangles)
         for (const std::uint32_t v : t)
             if (v >= count)
@@ -81,15 +83,6 @@ void stitch(const TriangleMesh& mesh, const std::vector<std::uint32_t>& place_of
     for (std::uint32_t v = 0; v < representative.size(); ++v)
         prepared.report.welded_vertices += representative[v] != v;
     prepared.triangles = with_places(std::move(prepared.triangles), representative);
-}
-
-double mean_edge(const Positions& positions, const std::vector<Triangle>& triangles) {
-    const double edges = sum_of(triangles.size(), [&](std::size_t i) {
-        const Triangle& t = triangles[i];
-        const Eigen::Vector3d &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
-        return (b - a).norm() + (c - b).norm() + (a - c).norm();
-    });
-    return edges / double(3 * triangles.size());
 }
 
 void undo_subdivisions(const Positions& positions, const UndoLimits& undoing,
@@ -214,6 +207,15 @@ double coarse_step(const TriangleMesh& mesh, const PreparedMesh& prepared) {
 
 }  // namespace
 
+double mean_edge(const Positions& positions, const std::vector<Triangle>& triangles) {
+    const double edges = sum_of(triangles.size(), [&](std::size_t i) {
+        const Triangle& t = triangles[i];
+        const Eigen::Vector3d &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
+        return (b - a).norm() + (c - b).norm() + (a - c).norm();
+    });
+    return edges / double(3 * triangles.size());
+}
+
 std::vector<Triangle> conforming_triangles(const TriangleMesh& mesh) {
     check_indices(mesh);
     std::vector<Triangle> triangles = usable_triangles(mesh.positions, mesh.triangles);
@@ -252,6 +254,7 @@ PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, const UndoLimits&
                           Facing facing) {
     PreparedMesh prepared = prepare_geometry(mesh, cuts, undoing, facing);
     prepared.mean_edge = mean_edge(prepared.positions, prepared.triangles);
+    prepared.least_kernel = mesh.least_kernel / prepared.diagonal;
     prepared.report.coordinate_step = coarse_step(mesh, prepared);
     return prepared;
 }

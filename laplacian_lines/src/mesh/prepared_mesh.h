@@ -28,6 +28,7 @@ struct PreparedMesh {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< centre of the bounding box, input units
     double diagonal = 0;                               ///< D, input units
     double mean_edge = 0;                              ///< ē, local
+    double least_kernel = 0;                           ///< TriangleMesh::least_kernel, local
     MeshReport report;
 
     std::size_t size() const { return positions.size(); }
@@ -53,6 +54,10 @@ PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, const UndoLimits&
 /// Without the mean edge.
 PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const UndoLimits& undoing = {},
                               Facing facing = Facing::Kept);
+
+/// The mean length of the triangles' sides.
+double mean_edge(const std::vector<Eigen::Vector3d>& positions,
+                 const std::vector<Triangle>& triangles);
 
 /// Sorts vertices and triangles so that neighbours in space are neighbours in memory, in the order
 /// of the returned tree. Keeps the cyclic order of corners. Sets the masses.

@@ -20,8 +20,8 @@ struct FieldKey {
     bool operator<(const FieldKey& other) const;
 };
 
-/// Where a field comes from: the mesh's attributes if they are current, else precompute() with the
-/// defaults.
+/// Where a field comes from: the mesh's attributes if they are current and it is not refined, else
+/// precompute() with their options, or the defaults.
 struct FieldSource {
     FieldKey key;
     FieldStatus status;
@@ -31,7 +31,7 @@ FieldSource field_source(const CMeshO& mesh);
 FieldSource with_derivatives(FieldSource source);
 
 /// Reads the field or computes it, which takes seconds for a million triangles and is logged by
-/// `say`. By live index. Does not change the mesh; `triangles` is its to_triangle_mesh().
+/// `say`. By live index. Does not change the mesh; `triangles` is its to_drawn_mesh().
 /// @throws laplacian_lines::Error, std::bad_alloc
 laplacian_lines::Field find_or_compute_field(const CMeshO& mesh,
                                              const laplacian_lines::TriangleMesh& triangles,

@@ -21,5 +21,7 @@ std::vector<std::uint32_t> live_vertex_indices(const CMeshO& mesh);
 /// Live vertices and faces in mesh coordinates (without the layer's transformation). Faces of
 /// deleted vertices get kNoIndex, which the core refuses.
 laplacian_lines::TriangleMesh to_triangle_mesh(const CMeshO& mesh);
+/// The same, refined() for lines.
+laplacian_lines::TriangleMesh to_drawn_mesh(const CMeshO& mesh);
 
 }  // namespace meshlab_host

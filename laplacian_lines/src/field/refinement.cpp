@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A mesh of a smooth surface is cut finer:
+//  1. Normals of its vertices are those of precompute(), across cuts.
+//  2. The middle of an edge is put on the cubic curve that leaves both ends normal to their
+//     normals; its normal is that of the quadratic between them which curved surfaces have.
+//  3. Each triangle is cut in four at these middles, until edges are short or two cuts are made.
+#include "laplacian_lines/refinement.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "field/field_steps.h"
+#include "laplacian_lines/error.h"
+#include "mesh/bounding_box.h"
+#include "mesh/corner_table.h"
+#include "mesh/flat_faces.h"
+#include "mesh/prepared_mesh.h"
+
+namespace laplacian_lines {
+namespace {
+
+using Eigen::Vector3d;
+
+// Mean edge, in D: sums over vertices are those over the surface if the least automatic kernel,
+// .0045 D, is 1.4 of them.
+constexpr double kCoarseEdge = 0.0032;
+constexpr int kMostCuts = 2;  // more would not change kernels
+// Forms of so few triangles are polyhedra by design; so many, once cut, take too long.
+constexpr std::size_t kLeastTriangles = 1000, kMostTriangles = 1000000;
+// Sine of the angle between an edge and the plane of an end's normal from which it stays straight
+// there: at the corners of a box it is .58 and .71.
+constexpr double kSharp = 0.5;
+constexpr double kLongEdge = 3;       // mean edges; between such ends the surface is a guess
+constexpr double kLeastKernel = 0.5;  // mean edges; less draws seams of the curved triangles
+
+bool is_coarse(const TriangleMesh& mesh) {
+    const std::size_t count = mesh.triangles.size();
+    const auto is_valid = [&](const Triangle& t) {
+        return std::max({t[0], t[1], t[2]}) < mesh.positions.size();
+    };
+    if (count < kLeastTriangles || 4 * count > kMostTriangles ||
+        !std::all_of(mesh.triangles.begin(), mesh.triangles.end(), is_valid))
+        return false;
+    const double diagonal = bounding_box(mesh.positions, mesh.triangles).diagonal().norm();
+    return mean_edge(mesh.positions, mesh.triangles) > kCoarseEdge * diagonal;
+}
+
+/// Whether the surface between the vertices is known by them.
+bool is_smooth(const TriangleMesh& mesh, const StageProgress& stage) {
+    PreparedMesh prepared = prepare_mesh(mesh, Cuts::Stitched, {}, Facing::Outwards);
+    if (prepared.report.coordinate_step > 0) return false;
+    if (flat_faces(prepared, CornerTable(prepared.triangles, prepared.size())).is_cad_mesh())
+        return false;
+    const SpatialTree tree = sort_in_space(prepared);
+    const VertexRanges ranges(prepared);
+    const auto normals = vertex_normals(prepared, ranges, stage.part(0.3, 0.5));
+    return measure_roughness(prepared, ranges, tree, normals, stage.part(0.5, 1)) == 0;
+}
+
+class Refining {
+public:
+    explicit Refining(TriangleMesh mesh) : mesh_(std::move(mesh)) {
+        const PreparedMesh prepared = prepare_geometry(mesh_, Cuts::Stitched, {}, Facing::Outwards);
+        place_of_ = prepared.representative;
+        extend_places();
+        std::vector<Vector3d> sums(mesh_.positions.size(), Vector3d::Zero());
+        for (const Triangle& t : prepared.triangles)
+            for (const std::uint32_t v : t)
+                sums[prepared.original_vertex[v]] += area_vector(prepared, t);
+        for (const std::uint32_t place : place_of_)
+            mesh_.normals.push_back(sums[place].stableNormalized());
+        const double edge = mean_edge(mesh_.positions, mesh_.triangles);
+        longest_ = kLongEdge * edge;
+        mesh_.least_kernel = kLeastKernel * edge;
+        is_guessed_.resize(mesh_.positions.size());
+        for (const Triangle& t : mesh_.triangles)
+            for (int k = 0; k < 3; ++k) {
+                const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+                if ((mesh_.positions[b] - mesh_.positions[a]).norm() > longest_)
+                    is_guessed_[a] = is_guessed_[b] = 1;
+            }
+    }
+
+    void cut_in_four() {
+        const std::vector<std::uint32_t> middle = add_middles();
+        std::vector<Triangle> parts;
+        parts.reserve(4 * mesh_.triangles.size());
+        for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+            const auto [a, b, c] = mesh_.triangles[t];
+            const std::uint32_t ab = middle[3 * t], bc = middle[3 * t + 1], ca = middle[3 * t + 2];
+            parts.insert(parts.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+        }
+        mesh_.triangles.swap(parts);
+        longest_ /= 2;
+    }
+
+    const TriangleMesh& mesh() const { return mesh_; }
+    TriangleMesh take_mesh() {
+        for (std::size_t v = 0; v < is_guessed_.size(); ++v)
+            if (!is_guessed_[v]) mesh_.normals[v].setZero();
+        return std::move(mesh_);
+    }
+
+private:
+    void extend_places() {
+        for (auto v = std::uint32_t(place_of_.size()); v < mesh_.positions.size(); ++v)
+            place_of_.push_back(v);
+    }
+
+    /// The new vertex of each side.
+    std::vector<std::uint32_t> add_middles() {
+        const std::vector<Triangle>& triangles = mesh_.triangles;
+        const auto place_edge = [&](std::uint32_t side) {
+            return edge_between(place_of_[begin_of(triangles, side)],
+                                place_of_[end_of(triangles, side)]);
+        };
+        std::vector<std::uint32_t> first(3 * triangles.size());  // of the sides of its edge
+        visit_edges<char>(first.size(), mesh_.positions.size(), place_edge,
+                          [&](const std::uint32_t* begin, const std::uint32_t* end, char&) {
+                              for (const std::uint32_t* side = begin; side != end; ++side)
+                                  first[*side] = *begin;
+                          });
+        std::vector<std::uint32_t> middle(first.size());
+        for (std::uint32_t side = 0; side < first.size(); ++side) {
+            if (first[side] == side) {
+                middle[side] = std::uint32_t(mesh_.positions.size());
+                add_middle(begin_of(triangles, side), end_of(triangles, side));
+            } else {
+                middle[side] = middle[first[side]];
+            }
+        }
+        extend_places();
+        return middle;
+    }
+
+    void add_middle(std::uint32_t a, std::uint32_t b) {
+        const Vector3d p = mesh_.positions[a], q = mesh_.positions[b], n = mesh_.normals[a],
+                       m = mesh_.normals[b], d = q - p;
+        const double length = d.norm();
+        const auto bulge = [&](const Vector3d& normal, double along) -> Vector3d {
+            if (length > longest_ || std::abs(along) > kSharp * length) return Vector3d::Zero();
+            return along / 8 * normal;
+        };
+        mesh_.positions.push_back((p + q) / 2 - bulge(n, d.dot(n)) + bulge(m, d.dot(m)));
+        const double turn = length > 0 ? 2 * d.dot(n + m) / (length * length) : 0;
+        mesh_.normals.push_back((n + m - turn * d).stableNormalized());
+        is_guessed_.push_back(is_guessed_[a] && is_guessed_[b]);
+    }
+
+    TriangleMesh mesh_;
+    std::vector<std::uint32_t> place_of_;   // by vertex: that which it is welded to
+    std::vector<std::uint8_t> is_guessed_;  // by vertex: at the end of a long edge
+    double longest_ = 0;
+};
+
+}  // namespace
+
+TriangleMesh refined(TriangleMesh mesh, const Progress& progress) try {
+    const StageProgress stage(progress, 0, 1, "Refining the mesh");
+    stage.report(0);
+    if (!is_coarse(mesh) || !is_smooth(mesh, stage.part(0, 0.4))) return mesh;
+    Refining refining(mesh);
+    for (int cuts = 0; cuts < kMostCuts && is_coarse(refining.mesh()); ++cuts)
+        refining.cut_in_four();
+    return refining.take_mesh();
+} catch (const Error& error) {
+    if (error.code() == ErrorCode::Cancelled) throw;
+    return mesh;
+}
+
+PrecomputeOptions refined_options(PrecomputeOptions options, const TriangleMesh& mesh,
+                                  const TriangleMesh& finer) {
+    if (finer.triangles.size() == mesh.triangles.size()) return options;
+    const double ratio =
+        mean_edge(mesh.positions, mesh.triangles) / mean_edge(finer.positions, finer.triangles);
+    options.normal_sigma *= ratio;
+    options.gradient_radius *= ratio;
+    return options;
+}
+
+}  // namespace laplacian_lines

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "laplacian_lines/refinement.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "helpers.h"
+#include "laplacian_lines/error.h"
+#include "laplacian_lines/precompute.h"
+
+namespace {
+
+using namespace laplacian_lines;
+
+/// The farthest vertex from a sphere of radius 1, and the farthest middle of a side.
+std::pair<double, double> off_sphere(const TriangleMesh& mesh) {
+    double vertices = 0, sides = 0;
+    for (const Triangle& t : mesh.triangles)
+        for (int k = 0; k < 3; ++k) {
+            const Eigen::Vector3d &p = mesh.positions[t[k]], &q = mesh.positions[t[(k + 1) % 3]];
+            vertices = std::max(vertices, std::abs(p.norm() - 1));
+            sides = std::max(sides, std::abs((p + q).norm() / 2 - 1));
+        }
+    return {vertices, sides};
+}
+
+TEST(Refinement, PutsNewVerticesOnTheSmoothSurface) {
+    const TriangleMesh mesh = test_meshes::icosphere(3), finer = refined(mesh);
+    ASSERT_EQ(finer.triangles.size(), 16 * mesh.triangles.size());
+    EXPECT_TRUE(std::equal(mesh.positions.begin(), mesh.positions.end(), finer.positions.begin()));
+    EXPECT_LT(off_sphere(finer).first, 0.15 * off_sphere(mesh).second);
+    EXPECT_EQ(precompute(finer).report.border_share, 0);
+}
+
+TEST(Refinement, LeavesWhatNeedsNone) {
+    TriangleMesh rounded = test_meshes::icosphere(3), broken = rounded;
+    for (Eigen::Vector3d& p : rounded.positions)
+        p = (p * 20).array().round();
+    broken.triangles.back()[0] = 1u << 30;
+    const TriangleMesh noisy = test_meshes::with_noise(test_meshes::icosphere(4), 0.2);
+    for (const TriangleMesh& mesh :
+         {test_meshes::icosphere(1), test_meshes::icosphere(7), test_meshes::cube(20),
+          test_meshes::rounded_cube(20, 0.1), noisy, rounded, broken, TriangleMesh()})
+        EXPECT_EQ(refined(mesh).positions, mesh.positions) << mesh.triangles.size();
+}
+
+TEST(Refinement, GoesAcrossSeamsHoweverTrianglesAreTurned) {
+    const TriangleMesh mesh = test_meshes::bumpy_sphere(4).mesh, finer = refined(mesh);
+    TriangleMesh cut = test_meshes::cut_apart(mesh);
+    test_meshes::flip_triangles(cut, 3);
+    const TriangleMesh finer_cut = refined(cut);
+    ASSERT_EQ(finer_cut.triangles.size(), finer.triangles.size());
+    double farthest = 0;
+    for (std::size_t t = 0; t < finer.triangles.size(); ++t) {
+        const auto middle = [t](const TriangleMesh& of) -> Eigen::Vector3d {
+            const Triangle& corners = of.triangles[t];
+            return of.positions[corners[0]] + of.positions[corners[1]] + of.positions[corners[2]];
+        };
+        if (t / 16 % 3 != 0)
+            farthest = std::max(farthest, (middle(finer) - middle(finer_cut)).norm());
+    }
+    EXPECT_LT(farthest, 1e-12);
+}
+
+TEST(Refinement, StaysFlatAtSharpEdges) {
+    // a sphere that stands on a disc
+    TriangleMesh mesh = test_meshes::icosphere(4);
+    for (Eigen::Vector3d& p : mesh.positions)
+        p.z() = std::max(p.z(), -0.5);
+    const TriangleMesh finer = refined(mesh);
+    ASSERT_GT(finer.triangles.size(), mesh.triangles.size());
+    for (const Eigen::Vector3d& p : finer.positions)
+        EXPECT_GE(p.z(), -0.506) << "a twentieth of an edge";
+}
+
+/// What decimation leaves has the lines of the whole.
+TEST(Refinement, GivesCoarseMeshesTheLinesOfFineOnes) {
+    const auto fine = test_meshes::bumpy_sphere(6);
+    const TriangleMesh coarse = test_meshes::bumpy_sphere(3).mesh;
+    const View view = View::orthographic({0.3, -0.5, 0.8});
+    const auto lines_of = [&](const TriangleMesh& mesh) {
+        PrecomputeOptions options;
+        options.kernel_size = 0.1;
+        return helpers::extract(LineExtractor(mesh, precompute(mesh, options)), view,
+                                helpers::only(LineKind::Laplacian));
+    };
+    const LineSet truth = lines_of(fine.mesh);
+    const auto found = [&](const LineSet& lines) {  // the share of the true lines
+        std::size_t near = 0;
+        for (const LinePoint& p : truth.points)
+            near += helpers::distance_to_lines(p.position.cast<double>(), lines) < 0.02;
+        return double(near) / double(truth.points.size());
+    };
+    ASSERT_GT(truth.points.size(), 100u);
+    EXPECT_GT(found(lines_of(refined(coarse))), 0.95);
+    EXPECT_LT(found(lines_of(coarse)), 0.9);
+}
+
+TEST(Normals, OfAMeshAreTaken) {
+    auto [mesh, truth] = test_meshes::sphere(3);
+    PrecomputeOptions options;
+    options.normal_smoothing = NormalSmoothing::None;
+    mesh.normals.assign(mesh.positions.size(), Eigen::Vector3d::Zero());
+    mesh.normals[7] = Eigen::Vector3d(1, 2, 3).normalized();
+    const Field field = precompute(mesh, options);
+    EXPECT_LT((field.normals[7].cast<double>() - mesh.normals[7]).norm(), 1e-6);
+    EXPECT_LT((field.normals[8].cast<double>() - mesh.positions[8]).norm(), 0.01) << "0: its own";
+    mesh.normals.pop_back();
+    EXPECT_THROW(precompute(mesh, options), Error);
+}
+
+}  // namespace
