@@ -95,6 +95,9 @@ bool take_option(const std::string& word, Words& rest, Words& formats, CommandLi
 /// A folder of drawings exists, or is named like one.
 void name_files(const Words& names, CommandLine& result) {
     if (names.size() < 2) refuse("name two files: the drawing and the mesh; see --help.");
+    if (is_named_like_mesh(names[0]))
+        refuse("\"" + names[0] + "\" is a mesh: name the drawing first, as in laplacian-lines " +
+               "drawing.svg " + names[0]);
     result.drawing = names[0];
     const bool has_name = names[0].empty() || std::filesystem::u8path(names[0]).has_filename();
     result.is_collection = !has_name || is_folder(names[0]);

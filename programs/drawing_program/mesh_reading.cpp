@@ -41,6 +41,10 @@ bool is_folder(const std::string& name) {
     return fs::is_directory(fs::u8path(name), none);
 }
 
+bool is_named_like_mesh(const std::string& name) {
+    return format_of(fs::u8path(name)).has_value();
+}
+
 Words meshes_of(const Words& named) {
     Words meshes;
     for (const std::string& name : named) {

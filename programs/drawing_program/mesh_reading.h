@@ -8,6 +8,7 @@
 #include "line_drawing/sheet_file.h"
 
 bool is_folder(const std::string& name);
+bool is_named_like_mesh(const std::string& name);
 
 /// The named meshes and those in named folders. @throws laplacian_lines::Error(InvalidOption) if a
 /// folder has none

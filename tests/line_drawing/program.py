@@ -39,6 +39,7 @@ pathlib.Path("nonsense.stl").write_text("nonsense")
 off("nowhere.off", ["nan nan nan"] * 8)
 for sentence, words in (
         ("does not end in", "plate.jpg cube.off"),
+        ("name the drawing first, as in laplacian-lines drawing.svg cube.off", "cube.off plate.svg"),
         ("cannot be written", "missing/plate.svg cube.off"),
         ("there is no such file", "plate.svg missing.ply"),
         ("PLY, OBJ, STL and OFF", f"plate.svg {PROGRAM}"),
