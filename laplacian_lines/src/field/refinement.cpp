@@ -32,7 +32,7 @@ constexpr std::size_t kLeastTriangles = 1000, kMostTriangles = 1000000;
 // there: at the corners of a box it is .58 and .71.
 constexpr double kSharp = 0.5;
 constexpr double kLongEdge = 3;       // mean edges; between such ends the surface is a guess
-constexpr double kLeastKernel = 0.5;  // mean edges; less draws seams of the curved triangles
+constexpr double kLeastKernel = 0.6;  // mean edges; less draws ripples where triangles meet
 
 bool is_coarse(const TriangleMesh& mesh) {
     const std::size_t count = mesh.triangles.size();
