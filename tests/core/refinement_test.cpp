@@ -34,6 +34,18 @@ TEST(Refinement, PutsNewVerticesOnTheSmoothSurface) {
     EXPECT_EQ(precompute(finer).report.border_share, 0);
 }
 
+TEST(Refinement, IsTheSameFarFromTheOrigin) {
+    for (const double scale :
+         {40, 60, 90, 120}) {  // edges of 1.6 to 5, where floats have steps of .7
+        TriangleMesh mesh = test_meshes::bumpy_sphere(5).mesh;
+        for (Eigen::Vector3d& p : mesh.positions)
+            p *= scale;
+        EXPECT_EQ(refined(test_meshes::moved(mesh, {4e5, 5.8e6, 30})).triangles.size(),
+                  refined(mesh).triangles.size())
+            << scale;
+    }
+}
+
 TEST(Refinement, LeavesWhatNeedsNone) {
     TriangleMesh rounded = test_meshes::icosphere(3), broken = rounded;
     for (Eigen::Vector3d& p : rounded.positions)

@@ -162,9 +162,14 @@ void to_local_coordinates(const TriangleMesh& mesh, PreparedMesh& prepared) {
 /// Greatest common divisor of the extents of all triangles' sides, by Euclid's algorithm; 0 if it
 /// is less than `least`.
 double common_step(const TriangleMesh& mesh, const PreparedMesh& prepared, double least) {
-    constexpr double kOff = 0.01;  // tolerance, in steps, besides that for rounding to floats
-    const double rounding =
-        0x1p-23 * (prepared.centre.cwiseAbs().maxCoeff() + prepared.diagonal / 2);
+    constexpr double kOff = 0.01;  // tolerance, in steps, besides that for rounding
+    const auto is_float = [&](std::uint32_t v) {
+        return mesh.positions[v] == mesh.positions[v].cast<float>().cast<double>();
+    };
+    const bool are_floats =
+        std::all_of(prepared.original_vertex.begin(), prepared.original_vertex.end(), is_float);
+    const double rounding = (are_floats ? 0x1p-23 : 0x1p-50) *
+                            (prepared.centre.cwiseAbs().maxCoeff() + prepared.diagonal / 2);
     double step = 0;
     const auto add = [&](double extent) {
         while (extent > std::max(rounding, kOff * step)) {
