@@ -48,7 +48,7 @@ nb::dict draw(const nb::list& meshes, const Words& words, const std::string& end
     for (const nb::handle mesh : meshes) {
         const auto [positions, triangles, file, hash] =
             nb::cast<std::tuple<Positions, Triangles, std::string, std::string>>(mesh);
-        read.push_back(laplacian_lines::refined(mesh_of(positions, triangles)));
+        read.push_back(mesh_of(positions, triangles));
         sources.push_back({file, hash});
         if (file.empty()) continue;
         files.push_back(file);
@@ -66,6 +66,8 @@ nb::dict draw(const nb::list& meshes, const Words& words, const std::string& end
         objects.push_back({read[i], nullptr, sources[i].name});
     Sheet sheet;
     const std::string content = unlocked([&](const laplacian_lines::Progress& progress) {
+        for (laplacian_lines::TriangleMesh& mesh : read)
+            mesh = laplacian_lines::refined(std::move(mesh), progress);
         sheet = make_sheets(objects, {options}, progress).front();
         sheet.provenance = provenance_text(sources, words);
         return write_sheet(sheet, format, choices.dpi);

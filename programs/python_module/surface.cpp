@@ -26,10 +26,9 @@ ViewLine view_line(const LineSet& set, const Polyline& line) {
 
 Surface::Surface(TriangleMesh mesh, const PrecomputeOptions& options, const Progress& progress)
     : mesh_(std::move(mesh)),
-      finer_(refined(mesh_, progress)),
       options_(options),
-      is_refined_(finer_.triangles.size() > mesh_.triangles.size()),
-      field_(precompute(mesh_, options, progress)) {}
+      field_(precompute(mesh_, options, progress)),
+      may_be_refined_(options.weld_duplicates) {}
 
 Field Surface::field() const {
     const std::lock_guard using_parts(parts_);
@@ -56,7 +55,8 @@ std::vector<ViewLine> Surface::lines(const View& view, const LineStyle& style,
 std::vector<ViewLine> Surface::visible_lines(const View& view, const LineStyle& style,
                                              VisibilityOptions options, const Progress& progress) {
     const std::lock_guard using_parts(parts_);
-    if (!visibility_) visibility_ = std::make_unique<LineVisibility>(drawn_mesh(), progress);
+    if (!visibility_)
+        visibility_ = std::make_unique<LineVisibility>(drawn_mesh(progress), progress);
     ExtractionScratch scratch;
     const LineSet lines = extract_on_surface(extractor(style, progress), view, style, scratch);
     options.shows = style.shows;
@@ -73,25 +73,36 @@ std::vector<ViewLine> Surface::strokes(const line_drawing::ViewFrame& frame,
     if (has_own_kernel && options.style.shows.needs_derivatives())
         extractor(options.style, progress);  // adds them to the field
     const line_drawing::Objects objects = {
-        {drawn_mesh(), has_own_kernel ? &drawn_field(progress) : nullptr}};
+        {drawn_mesh(progress), has_own_kernel ? &drawn_field(progress) : nullptr}};
     return line_drawing::strokes_of(objects, frame, options, progress, size);
 }
 
+const TriangleMesh& Surface::drawn_mesh(const Progress& progress) {
+    if (may_be_refined_) {
+        TriangleMesh finer = refined(mesh_, progress);
+        may_be_refined_ = false;
+        if (finer.triangles.size() > mesh_.triangles.size()) finer_ = std::move(finer);
+    }
+    return finer_ ? *finer_ : mesh_;
+}
+
 Field& Surface::drawn_field(const Progress& progress) {
-    if (!is_refined_) return field_;
+    const TriangleMesh& drawn = drawn_mesh(progress);
+    if (!finer_) return field_;
     if (!finer_field_)
-        finer_field_ = precompute(finer_, refined_options(options_, mesh_, finer_), progress);
+        finer_field_ = precompute(drawn, refined_options(options_, mesh_, drawn), progress);
     return *finer_field_;
 }
 
 /// With derivatives if the style needs them.
 const LineExtractor& Surface::extractor(const LineStyle& style, const Progress& progress) {
+    const TriangleMesh& drawn = drawn_mesh(progress);
     Field& known = drawn_field(progress);
-    if (!extractor_) extractor_ = std::make_unique<LineExtractor>(drawn_mesh(), known, progress);
+    if (!extractor_) extractor_ = std::make_unique<LineExtractor>(drawn, known, progress);
     if (style.shows.needs_derivatives() && !known.has_derivatives()) {
         Field field = known;  // as a whole or not at all
-        add_curvature_derivatives(drawn_mesh(), field, progress);
-        extractor_->add_derivatives(drawn_mesh(), field);
+        add_curvature_derivatives(drawn, field, progress);
+        extractor_->add_derivatives(drawn, field);
         known = std::move(field);
     }
     return *extractor_;

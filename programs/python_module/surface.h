@@ -44,14 +44,15 @@ public:
                                   const Progress& progress);
 
 private:
-    const TriangleMesh& drawn_mesh() const { return is_refined_ ? finer_ : mesh_; }
+    const TriangleMesh& drawn_mesh(const Progress& progress);
     Field& drawn_field(const Progress& progress);
     const LineExtractor& extractor(const LineStyle& style, const Progress& progress);
 
-    const TriangleMesh mesh_, finer_;
+    const TriangleMesh mesh_;
     const PrecomputeOptions options_;
-    const bool is_refined_;
     Field field_;
+    bool may_be_refined_;
+    std::optional<TriangleMesh> finer_;
     std::optional<Field> finer_field_;
     std::unique_ptr<LineExtractor> extractor_;
     std::unique_ptr<const LineVisibility> visibility_;

@@ -40,9 +40,9 @@ TEST(Refinement, IsTheSameFarFromTheOrigin) {
         TriangleMesh mesh = test_meshes::bumpy_sphere(5).mesh;
         for (Eigen::Vector3d& p : mesh.positions)
             p *= scale;
-        EXPECT_EQ(refined(test_meshes::moved(mesh, {4e5, 5.8e6, 30})).triangles.size(),
-                  refined(mesh).triangles.size())
-            << scale;
+        const TriangleMesh far_off = refined(test_meshes::moved(mesh, {4e5, 5.8e6, 30}));
+        EXPECT_EQ(far_off.triangles.size(), refined(mesh).triangles.size()) << scale;
+        EXPECT_EQ(precompute(far_off).report.undone_subdivisions, 0) << scale;
     }
 }
 
@@ -51,10 +51,19 @@ TEST(Refinement, LeavesWhatNeedsNone) {
     for (Eigen::Vector3d& p : rounded.positions)
         p = (p * 20).array().round();
     broken.triangles.back()[0] = 1u << 30;
+    // one triangle of two is halved at their common side
+    TriangleMesh with_t_junction = test_meshes::cut_apart(test_meshes::icosphere(3));
+    const Triangle t = with_t_junction.triangles[0];
+    const auto middle = std::uint32_t(with_t_junction.positions.size());
+    with_t_junction.positions.push_back(
+        (with_t_junction.positions[t[0]] + with_t_junction.positions[t[1]]) / 2);
+    with_t_junction.triangles[0] = {t[0], middle, t[2]};
+    with_t_junction.triangles.push_back({middle, t[1], t[2]});
     const TriangleMesh noisy = test_meshes::with_noise(test_meshes::icosphere(4), 0.2);
     for (const TriangleMesh& mesh :
-         {test_meshes::icosphere(1), test_meshes::icosphere(7), test_meshes::cube(20),
-          test_meshes::rounded_cube(20, 0.1), noisy, rounded, broken, TriangleMesh()})
+         {with_t_junction, test_meshes::icosphere(1), test_meshes::icosphere(7),
+          test_meshes::cube(20), test_meshes::rounded_cube(20, 0.1), noisy, rounded, broken,
+          TriangleMesh()})
         EXPECT_EQ(refined(mesh).positions, mesh.positions) << mesh.triangles.size();
 }
 
@@ -115,7 +124,7 @@ TEST(Normals, OfAMeshAreTaken) {
     PrecomputeOptions options;
     options.normal_smoothing = NormalSmoothing::None;
     mesh.normals.assign(mesh.positions.size(), Eigen::Vector3d::Zero());
-    mesh.normals[7] = Eigen::Vector3d(1, 2, 3).normalized();
+    mesh.normals[7] = (mesh.positions[7] + Eigen::Vector3d(0.1, 0.2, 0.3)).normalized();
     const Field field = precompute(mesh, options);
     EXPECT_LT((field.normals[7].cast<double>() - mesh.normals[7]).norm(), 1e-6);
     EXPECT_LT((field.normals[8].cast<double>() - mesh.positions[8]).norm(), 0.01) << "0: its own";

@@ -64,7 +64,7 @@ struct OptionRow : OptionDescription {
     }
 };
 
-/// What is allowed, after "It has to be": "between 0 and 100", "one of 0 (Uniform), 1 (Adaptive)".
+/// What is allowed, after "It has to be": "between 0 and 100", "one of 0 (None), 1 (Gaussian)".
 std::string allowed_values(const OptionDescription& option);
 
 /// "WHAT is VALUE. It has to be ALLOWED." @throws Error(InvalidOption), always

@@ -12,8 +12,8 @@ namespace laplacian_lines {
 /// its vertices that are normal to their normals (A. Vlachos and others, "Curved PN Triangles",
 /// 2001). Sums of the kernel then see the surface between the vertices, and features that are one
 /// or two edges wide have lines. Vertices keep their numbers, new ones follow; edges that bend
-/// sharply stay straight. Noisy, CAD and quantised meshes come back as they are, finer ones, and
-/// such as cannot be drawn. @throws Error(Cancelled)
+/// sharply stay straight. Normals and the least kernel are set. Noisy, CAD and quantised meshes
+/// come back as they are, finer ones, and such as cannot be drawn. @throws Error(Cancelled)
 TriangleMesh refined(TriangleMesh mesh, const Progress& progress = {});
 
 /// Options of a mesh for the refined one: lengths in mean edges stay what they are.

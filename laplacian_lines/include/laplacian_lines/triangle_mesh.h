@@ -20,7 +20,7 @@ struct TriangleMesh {
     /// [V], or empty. Unit normals for precompute(), outward; where 0, and if empty, those of the
     /// triangles count.
     std::vector<Eigen::Vector3d> normals = {};
-    double least_kernel = 0;  ///< mesh units: automatic √h are not smaller
+    double least_kernel = 0;  ///< mesh units: automatic √h are not smaller, but for Detail
 };
 
 /// The usable triangles, with cracks and T-junctions resolved as by precompute() and LineExtractor:

@@ -46,6 +46,7 @@ PreparedMesh prepare(const TriangleMesh& mesh, const PrecomputeOptions& options,
     UndoLimits undoing{kMostUndone};
     undoing.longest_share = kLongestUndone;
     if (options.kernel_size > 0) undoing.longest_edge = options.kernel_size;
+    if (mesh.least_kernel > 0) undoing.most = 0;  // refined
     return prepare_mesh(mesh, options.weld_duplicates ? Cuts::Stitched : Cuts::Left, undoing,
                         facing);
 }
@@ -74,7 +75,7 @@ void take_normals(const TriangleMesh& mesh, const PreparedMesh& prepared,
     if (mesh.normals.empty()) return;
     for_each_element(normals.size(), [&](std::size_t i) {
         const Eigen::Vector3d& n = mesh.normals[prepared.original_vertex[i]];
-        if (!n.isZero()) normals[i] = n;
+        if (!n.isZero()) normals[i] = n.dot(normals[i]) < 0 ? Eigen::Vector3d(-n) : n;
     });
 }
 
@@ -114,9 +115,8 @@ double kernel_bend(const PreparedMesh& mesh, const LocalField& local) {
     if (local.kernel_size < kLeastChoice * mesh.mean_edge) return 0;
     const std::size_t step = mesh.size() / kMostBendSamples + 1;
     std::vector<double> bends;
-    for (std::size_t i = 0; i < mesh.size(); i += step) {
+    for (std::size_t i = 0; i < mesh.size(); i += step)
         bends.push_back(std::sqrt(local.shape_operators[i].squaredNorm()) * local.kernel_size);
-    }
     const auto middle = bends.begin() + std::ptrdiff_t(bends.size() / 2);
     std::nth_element(bends.begin(), middle, bends.end());
     return *middle;

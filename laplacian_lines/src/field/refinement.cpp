@@ -50,6 +50,9 @@ bool is_coarse(const TriangleMesh& mesh) {
 bool is_smooth(const TriangleMesh& mesh, const StageProgress& stage) {
     PreparedMesh prepared = prepare_mesh(mesh, Cuts::Stitched, {}, Facing::Outwards);
     if (prepared.report.coordinate_step > 0) return false;
+    // at T-junctions, curved sides would part
+    if (prepared.triangles.size() + prepared.report.degenerate_triangles > mesh.triangles.size())
+        return false;
     if (flat_faces(prepared, CornerTable(prepared.triangles, prepared.size())).is_cad_mesh())
         return false;
     const SpatialTree tree = sort_in_space(prepared);
@@ -64,6 +67,7 @@ public:
         const PreparedMesh prepared = prepare_geometry(mesh_, Cuts::Stitched, {}, Facing::Outwards);
         place_of_ = prepared.representative;
         extend_places();
+        mesh_.normals.clear();
         std::vector<Vector3d> sums(mesh_.positions.size(), Vector3d::Zero());
         for (const Triangle& t : prepared.triangles)
             for (const std::uint32_t v : t)
@@ -76,10 +80,12 @@ public:
         is_guessed_.resize(mesh_.positions.size());
         for (const Triangle& t : mesh_.triangles)
             for (int k = 0; k < 3; ++k) {
-                const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+                const std::uint32_t a = place_of_[t[k]], b = place_of_[t[(k + 1) % 3]];
                 if ((mesh_.positions[b] - mesh_.positions[a]).norm() > longest_)
                     is_guessed_[a] = is_guessed_[b] = 1;
             }
+        for (std::size_t v = 0; v < is_guessed_.size(); ++v)
+            is_guessed_[v] = is_guessed_[place_of_[v]];
     }
 
     void cut_in_four() {
