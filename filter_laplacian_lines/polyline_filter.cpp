@@ -12,6 +12,7 @@
 #include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/precompute.h"
+#include "laplacian_lines/refinement.h"
 #include "line_drawing/object.h"
 #include "line_drawing/view_strokes.h"
 #include "meshlab_host/camera.h"
@@ -41,7 +42,7 @@ constexpr double kFieldShare = 0.7, kSightShare = 0.8, kExtractorShare = 0.95;
 /// Copied from the layer, which may be deleted while the progress bar runs the event loop.
 struct Source {
     explicit Source(const MeshModel& mesh)
-        : triangles(meshlab_host::to_drawn_mesh(mesh.cm)),
+        : triangles(meshlab_host::to_triangle_mesh(mesh.cm)),
           name(mesh.label()),
           transform(mesh.cm.Tr),
           layer(meshlab_host::layer_transform(mesh.cm)) {}
@@ -104,20 +105,20 @@ LineSet all_lines(const Source& source, const View& view, const PolylineParamete
     meshlab_host::FieldSource field_source = meshlab_host::field_source(mesh);
     if (chosen.style.shows.needs_derivatives())
         field_source = meshlab_host::with_derivatives(std::move(field_source));
+    const laplacian_lines::TriangleMesh triangles = laplacian_lines::refined(source.triangles);
     const laplacian_lines::Field field = meshlab_host::find_or_compute_field(
-        mesh, source.triangles, source.name, field_source, run.say,
+        mesh, triangles, source.name, field_source, run.say,
         meshlab_host::progress_to(run.progress, 0, kFieldShare));
     refuse_far_vertices(source);
     if (view.w != 0 &&
         laplacian_lines::LineVisibility(
-            source.triangles, meshlab_host::progress_to(run.progress, kFieldShare, kSightShare))
+            triangles, meshlab_host::progress_to(run.progress, kFieldShare, kSightShare))
             .encloses(view.eye / view.w))
         laplacian_lines::refuse(
             "The viewpoint is inside the surface. Move it outside, or choose an "
             "orthographic view.");
     const laplacian_lines::LineExtractor extractor(
-        source.triangles, field,
-        meshlab_host::progress_to(run.progress, kSightShare, kExtractorShare));
+        triangles, field, meshlab_host::progress_to(run.progress, kSightShare, kExtractorShare));
     laplacian_lines::ExtractionScratch scratch;
     LineSet lines;
     extractor.extract(view, chosen.style, scratch, lines);

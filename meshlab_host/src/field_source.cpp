@@ -7,8 +7,6 @@
 #include "laplacian_lines/mesh_faults.h"
 #include "laplacian_lines/option_table.h"
 #include "laplacian_lines/precompute.h"
-#include "laplacian_lines/refinement.h"
-#include "meshlab_host/mesh_conversion.h"
 
 namespace meshlab_host {
 
@@ -28,8 +26,8 @@ std::vector<double> option_values(laplacian_lines::PrecomputeOptions options) {
 /// What options did by themselves for this mesh, each after a comma; mostly empty.
 QString automatic_steps_of(const Field& field, std::size_t faces) {
     QString steps;
-    if (field.report.triangles > faces)
-        steps += QString(", refined to %1 triangles").arg(field.report.triangles);
+    if (field.report.triangles != faces)
+        steps += QString(", for %1 triangles instead of %2").arg(field.report.triangles).arg(faces);
     if (field.report.welded_vertices)
         steps += QString(", %1 duplicated vertices welded where they cut the surface open")
                      .arg(field.report.welded_vertices);
@@ -45,13 +43,12 @@ QString automatic_steps_of(const Field& field, std::size_t faces) {
 
 QString computed_line(const QString& mesh_name, FieldStatus status, const Field& field,
                       std::size_t faces, double seconds) {
-    return QString("Laplacian Lines: %1%2: computed with the %3 in %4 s%5")
-               .arg(
-                   mesh_name, describe(status),
-                   status == FieldStatus::Current ? "options of its attributes" : "default options",
-                   QString::number(seconds, 'f', 2), automatic_steps_of(field, faces)) +
-           (status == FieldStatus::Current ? ""
-                                           : " (the filter Compute Laplacian Lines has others)");
+    const bool has_attributes = status == FieldStatus::Current;
+    return QString("Laplacian Lines: %1%2: computed with the %3 in %4 s%5%6")
+        .arg(mesh_name, describe(status),
+             has_attributes ? "options of its attributes" : "default options",
+             QString::number(seconds, 'f', 2), automatic_steps_of(field, faces),
+             has_attributes ? "" : " (the filter Compute Laplacian Lines has others)");
 }
 
 }  // namespace
@@ -88,8 +85,8 @@ Field find_or_compute_field(const CMeshO& mesh, const laplacian_lines::TriangleM
                             const QString& mesh_name, const FieldSource& source,
                             const std::function<void(const QString&)>& say,
                             const laplacian_lines::Progress& progress) {
-    const bool is_refined = triangles.positions.size() > std::size_t(mesh.vn);
-    if (source.status == FieldStatus::Current && !is_refined)
+    const bool is_given = triangles.triangles.size() == std::size_t(mesh.fn);
+    if (source.status == FieldStatus::Current && is_given)
         if (std::optional<Field> field = read_field(mesh, source.key.stamp)) {
             if (source.options.curvature_derivatives)
                 ensure_derivatives(triangles, *field, progress);
@@ -97,11 +94,7 @@ Field find_or_compute_field(const CMeshO& mesh, const laplacian_lines::TriangleM
         }
     QElapsedTimer clock;
     clock.start();
-    const laplacian_lines::PrecomputeOptions options =
-        is_refined
-            ? laplacian_lines::refined_options(source.options, to_triangle_mesh(mesh), triangles)
-            : source.options;
-    Field field = laplacian_lines::precompute(triangles, options, progress);
+    Field field = laplacian_lines::precompute(triangles, source.options, progress);
     say(computed_line(mesh_name, source.status, field, std::size_t(mesh.fn),
                       1e-3 * double(clock.elapsed())));
     for (const QString& line : mesh_advice(field.report))

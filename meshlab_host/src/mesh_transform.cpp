@@ -38,7 +38,7 @@ void apply_transform(const Eigen::Matrix4d& layer, TriangleMesh& mesh) {
     const Eigen::Matrix3d of_normals = linear.inverse().transpose();
     for (Eigen::Vector3d& n : mesh.normals)
         n = (of_normals * n).stableNormalized();
-    mesh.least_kernel *= mean_scale(layer);
+    mesh.known_edge *= mean_scale(layer);
     if (determinant < 0)
         for (laplacian_lines::Triangle& triangle : mesh.triangles)
             std::swap(triangle[1], triangle[2]);

@@ -81,7 +81,7 @@ const TriangleMesh& Surface::drawn_mesh(const Progress& progress) {
     if (may_be_refined_) {
         TriangleMesh finer = refined(mesh_, progress);
         may_be_refined_ = false;
-        if (finer.triangles.size() > mesh_.triangles.size()) finer_ = std::move(finer);
+        if (finer.triangles.size() != mesh_.triangles.size()) finer_ = std::move(finer);
     }
     return finer_ ? *finer_ : mesh_;
 }
@@ -89,8 +89,7 @@ const TriangleMesh& Surface::drawn_mesh(const Progress& progress) {
 Field& Surface::drawn_field(const Progress& progress) {
     const TriangleMesh& drawn = drawn_mesh(progress);
     if (!finer_) return field_;
-    if (!finer_field_)
-        finer_field_ = precompute(drawn, refined_options(options_, mesh_, drawn), progress);
+    if (!finer_field_) finer_field_ = precompute(drawn, options_, progress);
     return *finer_field_;
 }
 

@@ -85,6 +85,28 @@ TEST(Refinement, GoesAcrossSeamsHoweverTrianglesAreTurned) {
     EXPECT_LT(farthest, 1e-12);
 }
 
+TEST(Refinement, IsThatOfTheMeshBeforeItWasSubdivided) {
+    const TriangleMesh mesh = test_meshes::bumpy_sphere(4).mesh, finer = refined(mesh);
+    for (const int times : {1, 3}) {
+        const TriangleMesh cut = test_meshes::subdivided(mesh, times), again = refined(cut);
+        EXPECT_EQ(again.triangles.size(), finer.triangles.size());
+        EXPECT_NEAR(again.known_edge, finer.known_edge, 1e-6);
+        EXPECT_EQ(refined(test_meshes::cut_apart(cut)).triangles.size(), finer.triangles.size());
+    }
+}
+
+/// Options in mean edges, and the least kernel, are those of the mesh before.
+TEST(Refinement, KeepsTheUnitOfOptions) {
+    const TriangleMesh mesh = test_meshes::bumpy_sphere(4).mesh;
+    const double edge = precompute(mesh).scale.mean_edge;
+    PrecomputeOptions options;
+    options.normal_sigma = 2;
+    const FieldScale scale = precompute(refined(mesh), options).scale;
+    EXPECT_NEAR(scale.normal_sigma, 2 * edge, 1e-3 * edge);
+    EXPECT_NEAR(scale.kernel_size, 0.6 * edge, 1e-3 * edge);
+    EXPECT_LT(scale.mean_edge, 0.3 * edge);
+}
+
 TEST(Refinement, StaysFlatAtSharpEdges) {
     // a sphere that stands on a disc
     TriangleMesh mesh = test_meshes::icosphere(4);

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "laplacian_lines/error.h"
+#include "laplacian_lines/refinement.h"
 #include "line_drawing/sheet_file.h"
 #include "sheet_helpers.h"
 #include "with_threads.h"
@@ -66,6 +67,14 @@ TEST(MeasuredDrawing, TellsSmallSizes) {
     const Sheet sheet = sheet_of(test_meshes::moved(cube_of100(), {0, 0, 0}, 1.2345e-5), options);
     EXPECT_NE(joined(texts_of(sheet), "|").find("1.23 × 1.23 × 1.23 µm"), std::string::npos)
         << joined(texts_of(sheet), "|");
+}
+
+/// Not those of the curved surface, which bulges.
+TEST(MeasuredDrawing, TellsTheSizeOfTheMeshThatIsRefined) {
+    const laplacian_lines::TriangleMesh mesh = test_meshes::bumpy_sphere(4).mesh,
+                                        finer = laplacian_lines::refined(mesh);
+    ASSERT_GT(finer.positions.size(), mesh.positions.size());
+    EXPECT_EQ(bounds_of(finer).sizes(), bounds_of(mesh).sizes());
 }
 
 TEST(MeasuredDrawing, UnitsAndScalesMultiply) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "laplacian_lines/precompute_options.h"
 #include "laplacian_lines/progress.h"
 #include "laplacian_lines/triangle_mesh.h"
 
@@ -12,12 +11,8 @@ namespace laplacian_lines {
 /// its vertices that are normal to their normals (A. Vlachos and others, "Curved PN Triangles",
 /// 2001). Sums of the kernel then see the surface between the vertices, and features that are one
 /// or two edges wide have lines. Vertices keep their numbers, new ones follow; edges that bend
-/// sharply stay straight. Normals and the least kernel are set. Noisy, CAD and quantised meshes
+/// sharply stay straight. Midpoint subdivisions are undone before. Noisy, CAD and quantised meshes
 /// come back as they are, finer ones, and such as cannot be drawn. @throws Error(Cancelled)
 TriangleMesh refined(TriangleMesh mesh, const Progress& progress = {});
-
-/// Options of a mesh for the refined one: lengths in mean edges stay what they are.
-PrecomputeOptions refined_options(PrecomputeOptions options, const TriangleMesh& mesh,
-                                  const TriangleMesh& finer);
 
 }  // namespace laplacian_lines

@@ -9,7 +9,9 @@ namespace {
 // In D. Beyond these, nothing changes: no vertex is within the kernel, or all are.
 constexpr double kSmallestKernel = 1e-7, kLargestKernel = 1e4;
 constexpr double kLargestDrawnKernel = 0.04;  // D
-constexpr double kLeastShare = 0.0045;        // D: finer meshes do not get ever finer lines
+// Of the mean edge before refinement: less draws ripples where triangles meet.
+constexpr double kRefinedShare = 0.6;
+constexpr double kLeastShare = 0.0045;  // D: finer meshes do not get ever finer lines
 
 }  // namespace
 
@@ -18,7 +20,7 @@ double automatic_kernel_size(double mean_edge, double diagonal) {
 }
 
 double kernel_size_of(const PreparedMesh& mesh, const PrecomputeOptions& options) {
-    const double edge = std::max(mesh.mean_edge, mesh.least_kernel / kLeastKernelEdges);
+    const double edge = std::max(mesh.mean_edge, kRefinedShare * mesh.known_edge);
     if (options.drawn_kernel_size > 0) {
         const double least = options.least_drawn_edges * edge;
         return std::clamp(options.drawn_kernel_size / mesh.diagonal, least,

@@ -18,10 +18,6 @@ namespace {
 
 constexpr int kTensorSmoothingPasses = 2;
 constexpr std::size_t kMostBendSamples = 20000;
-// Subdivisions are undone only if edges stay shorter than this, in D: forms of a few large
-// triangles were subdivided for a reason.
-constexpr double kLongestUndone = 0.025;
-constexpr int kMostUndone = 16;
 constexpr double kLeastChoice = 2.5;  // mean edges; smaller kernels cannot be reduced much
 constexpr double kFitCost = 20;       // of a pair of vertices in a fit, over that in a direct sum
 
@@ -43,10 +39,9 @@ double least_sigma(double kernel_size, double mean_edge) {
 
 /// A given kernel keeps subdivisions without which mean edges would be longer than it.
 PreparedMesh prepare(const TriangleMesh& mesh, const PrecomputeOptions& options, Facing facing) {
-    UndoLimits undoing{kMostUndone};
-    undoing.longest_share = kLongestUndone;
+    UndoLimits undoing = kUndoing;
     if (options.kernel_size > 0) undoing.longest_edge = options.kernel_size;
-    if (mesh.least_kernel > 0) undoing.most = 0;  // refined
+    if (mesh.known_edge > 0) undoing.most = 0;
     return prepare_mesh(mesh, options.weld_duplicates ? Cuts::Stitched : Cuts::Left, undoing,
                         facing);
 }
@@ -58,12 +53,16 @@ struct LocalField {
     ShapeOperators shape_operators;
 };
 
+double edge_of_options(const PreparedMesh& mesh) {
+    return mesh.known_edge > 0 ? mesh.known_edge : mesh.mean_edge;
+}
+
 /// Of the smoothing of normals, local units; 0 if none, or if it is automatic
 /// and the roughness is not known.
 double smoothing_sigma(const PreparedMesh& mesh, const PrecomputeOptions& options,
                        double kernel_size, std::optional<double> roughness) {
     if (options.normal_smoothing == NormalSmoothing::None) return 0;
-    if (options.normal_sigma > 0 || !roughness) return options.normal_sigma * mesh.mean_edge;
+    if (options.normal_sigma > 0 || !roughness) return options.normal_sigma * edge_of_options(mesh);
     const double of_drawing = options.drawn_kernel_size > 0 ? kDrawnSigma * kernel_size : 0;
     return std::max({automatic_normal_sigma(*roughness) * mesh.mean_edge,
                      least_sigma(kernel_size, mesh.mean_edge), of_drawing});
@@ -86,7 +85,7 @@ ShapeOperators estimate_shape_operators(const PreparedMesh& mesh, const SpatialT
                                         const StageProgress& stage) {
     if (options.gradient_estimator == GradientEstimator::TriangleFit)
         return fit_triangles(mesh, ranges, normals, stage);
-    const double radius = options.gradient_radius * mesh.mean_edge;
+    const double radius = options.gradient_radius * edge_of_options(mesh);
     refuse_costly_sum(kFitCost * pairs_cost(tree, radius),
                       "Merge close vertices, or choose a smaller Gradient Radius or the Gradient "
                       "Estimator Triangle Fit.");

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A mesh of a smooth surface is cut finer:
-//  1. Normals of its vertices are those of precompute(), across cuts.
-//  2. The middle of an edge is put on the cubic curve that leaves both ends normal to their
+//  1. Subdivisions at the middles of its edges are undone.
+//  2. Normals of its vertices are those of precompute(), across cuts.
+//  3. The middle of an edge is put on the cubic curve that leaves both ends normal to their
 //     normals; its normal is that of the quadratic between them which curved surfaces have.
-//  3. Each triangle is cut in four at these middles, until edges are short or two cuts are made.
+//  4. Each triangle is cut in four at these middles, until edges are short or two cuts are made.
 #include "laplacian_lines/refinement.h"
 
 #include <Eigen/Geometry>
@@ -13,7 +14,9 @@
 #include "field/field_steps.h"
 #include "laplacian_lines/error.h"
 #include "mesh/bounding_box.h"
+#include "mesh/conforming.h"
 #include "mesh/corner_table.h"
+#include "mesh/equal_positions.h"
 #include "mesh/flat_faces.h"
 #include "mesh/prepared_mesh.h"
 
@@ -31,61 +34,63 @@ constexpr std::size_t kLeastTriangles = 1000, kMostTriangles = 1000000;
 // Sine of the angle between an edge and the plane of an end's normal from which it stays straight
 // there: at the corners of a box it is .58 and .71.
 constexpr double kSharp = 0.5;
-constexpr double kLongEdge = 3;       // mean edges; between such ends the surface is a guess
-constexpr double kLeastKernel = 0.6;  // mean edges; less draws ripples where triangles meet
+constexpr double kLongEdge = 3;  // mean edges; between such ends the surface is a guess
+
+bool are_valid(const TriangleMesh& mesh) {
+    return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
+        return std::max({t[0], t[1], t[2]}) < mesh.positions.size();
+    });
+}
 
 bool is_coarse(const TriangleMesh& mesh) {
     const std::size_t count = mesh.triangles.size();
-    const auto is_valid = [&](const Triangle& t) {
-        return std::max({t[0], t[1], t[2]}) < mesh.positions.size();
-    };
-    if (count < kLeastTriangles || 4 * count > kMostTriangles ||
-        !std::all_of(mesh.triangles.begin(), mesh.triangles.end(), is_valid))
-        return false;
+    if (count < kLeastTriangles || 4 * count > kMostTriangles) return false;
     const double diagonal = bounding_box(mesh.positions, mesh.triangles).diagonal().norm();
     return mean_edge(mesh.positions, mesh.triangles) > kCoarseEdge * diagonal;
 }
 
-/// Whether the surface between the vertices is known by them.
-bool is_smooth(const TriangleMesh& mesh, const StageProgress& stage) {
-    PreparedMesh prepared = prepare_mesh(mesh, Cuts::Stitched, {}, Facing::Outwards);
-    if (prepared.report.coordinate_step > 0) return false;
+/// The mesh before it was subdivided at the middles of its edges, if it was.
+void undo_subdivisions(TriangleMesh& mesh) {
+    if (mesh.triangles.size() % 4 != 0) return;
+    std::vector<Triangle> triangles =
+        with_places(mesh.triangles, first_equal_positions(mesh.positions));
+    const auto is_degenerate = [](const Triangle& t) {
+        return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+    };
+    std::vector<Midpoint> midpoints;
+    if (std::none_of(triangles.begin(), triangles.end(), is_degenerate) &&
+        undo_subdivisions(mesh.positions, kUndoing, triangles, midpoints) > 0)
+        mesh.triangles.swap(triangles);
+}
+
+/// Whether the surface between the vertices may be curved: edges and steps of the form are not.
+bool is_of_curves(const TriangleMesh& mesh, const PreparedMesh& prepared) {
     // at T-junctions, curved sides would part
-    if (prepared.triangles.size() + prepared.report.degenerate_triangles > mesh.triangles.size())
-        return false;
-    if (flat_faces(prepared, CornerTable(prepared.triangles, prepared.size())).is_cad_mesh())
-        return false;
-    const SpatialTree tree = sort_in_space(prepared);
-    const VertexRanges ranges(prepared);
-    const auto normals = vertex_normals(prepared, ranges, stage.part(0.3, 0.5));
-    return measure_roughness(prepared, ranges, tree, normals, stage.part(0.5, 1)) == 0;
+    const std::size_t usable = mesh.triangles.size() - prepared.report.degenerate_triangles;
+    return prepared.report.coordinate_step == 0 && prepared.triangles.size() == usable &&
+           !flat_faces(prepared, CornerTable(prepared.triangles, prepared.size())).is_cad_mesh();
 }
 
 class Refining {
 public:
-    explicit Refining(TriangleMesh mesh) : mesh_(std::move(mesh)) {
-        const PreparedMesh prepared = prepare_geometry(mesh_, Cuts::Stitched, {}, Facing::Outwards);
-        place_of_ = prepared.representative;
+    /// `normals` are those of the prepared mesh.
+    Refining(TriangleMesh mesh, const PreparedMesh& prepared, const std::vector<Vector3d>& normals)
+        : mesh_(std::move(mesh)), place_of_(prepared.representative) {
         extend_places();
-        mesh_.normals.clear();
-        std::vector<Vector3d> sums(mesh_.positions.size(), Vector3d::Zero());
-        for (const Triangle& t : prepared.triangles)
-            for (const std::uint32_t v : t)
-                sums[prepared.original_vertex[v]] += area_vector(prepared, t);
-        for (const std::uint32_t place : place_of_)
-            mesh_.normals.push_back(sums[place].stableNormalized());
-        const double edge = mean_edge(mesh_.positions, mesh_.triangles);
-        longest_ = kLongEdge * edge;
-        mesh_.least_kernel = kLeastKernel * edge;
+        mesh_.known_edge = prepared.mean_edge * prepared.diagonal;
+        mesh_.known_vertices = mesh_.positions.size();
+        mesh_.normals.assign(mesh_.positions.size(), Vector3d::Zero());
+        for (std::size_t v = 0; v < normals.size(); ++v)
+            mesh_.normals[prepared.original_vertex[v]] = normals[v];
         is_guessed_.resize(mesh_.positions.size());
+        longest_ = kLongEdge * mesh_.known_edge;
         for (const Triangle& t : mesh_.triangles)
-            for (int k = 0; k < 3; ++k) {
+            for (std::size_t k = 0; k < 3; ++k) {
                 const std::uint32_t a = place_of_[t[k]], b = place_of_[t[(k + 1) % 3]];
                 if ((mesh_.positions[b] - mesh_.positions[a]).norm() > longest_)
                     is_guessed_[a] = is_guessed_[b] = 1;
             }
-        for (std::size_t v = 0; v < is_guessed_.size(); ++v)
-            is_guessed_[v] = is_guessed_[place_of_[v]];
+        copy_to_welded(place_of_, mesh_.normals, is_guessed_);
     }
 
     void cut_in_four() {
@@ -160,29 +165,35 @@ private:
     double longest_ = 0;
 };
 
-}  // namespace
-
-TriangleMesh refined(TriangleMesh mesh, const Progress& progress) try {
-    const StageProgress stage(progress, 0, 1, "Refining the mesh");
-    stage.report(0);
-    if (!is_coarse(mesh) || !is_smooth(mesh, stage.part(0, 0.4))) return mesh;
-    Refining refining(mesh);
+/// Returns whether the mesh was cut.
+bool cut_finer(TriangleMesh& mesh, const StageProgress& stage) try {
+    if (!is_coarse(mesh)) return false;
+    PreparedMesh prepared = prepare_mesh(mesh, Cuts::Stitched, {}, Facing::Outwards);
+    if (!is_of_curves(mesh, prepared)) return false;
+    const SpatialTree tree = sort_in_space(prepared);
+    const VertexRanges ranges(prepared);
+    const auto normals = vertex_normals(prepared, ranges, stage.part(0.2, 0.3));
+    if (measure_roughness(prepared, ranges, tree, normals, stage.part(0.3, 0.5)) > 0) return false;
+    Refining refining(mesh, prepared, normals);
     for (int cuts = 0; cuts < kMostCuts && is_coarse(refining.mesh()); ++cuts)
         refining.cut_in_four();
-    return refining.take_mesh();
+    mesh = refining.take_mesh();
+    return true;
 } catch (const Error& error) {
     if (error.code() == ErrorCode::Cancelled) throw;
-    return mesh;
+    return false;
 }
 
-PrecomputeOptions refined_options(PrecomputeOptions options, const TriangleMesh& mesh,
-                                  const TriangleMesh& finer) {
-    if (finer.triangles.size() == mesh.triangles.size()) return options;
-    const double ratio =
-        mean_edge(mesh.positions, mesh.triangles) / mean_edge(finer.positions, finer.triangles);
-    options.normal_sigma *= ratio;
-    options.gradient_radius *= ratio;
-    return options;
+}  // namespace
+
+TriangleMesh refined(TriangleMesh mesh, const Progress& progress) {
+    const StageProgress stage(progress, 0, 1, "Refining the mesh");
+    stage.report(0);
+    if (!are_valid(mesh)) return mesh;
+    std::vector<Triangle> given = mesh.triangles;
+    undo_subdivisions(mesh);
+    if (!cut_finer(mesh, stage)) mesh.triangles.swap(given);
+    return mesh;
 }
 
 }  // namespace laplacian_lines

@@ -85,19 +85,6 @@ void stitch(const TriangleMesh& mesh, const std::vector<std::uint32_t>& place_of
     prepared.triangles = with_places(std::move(prepared.triangles), representative);
 }
 
-void undo_subdivisions(const Positions& positions, const UndoLimits& undoing,
-                       PreparedMesh& prepared) {
-    std::vector<Triangle>& triangles = prepared.triangles;
-    if (undoing.most == 0 || triangles.size() % 4 != 0) return;
-    const double diagonal = bounding_box(positions, triangles).diagonal().stableNorm();
-    const double longest = std::min(undoing.longest_edge, undoing.longest_share * diagonal);
-    double edge = mean_edge(positions, triangles);
-    int& undone = prepared.report.undone_subdivisions;
-    while (undone < undoing.most && 2 * edge <= longest &&
-           undo_subdivision(positions, triangles, prepared.midpoints))
-        ++undone, edge *= 2;
-}
-
 /// Around the mesh's centre, coordinates may be coarser than around the origin. Drops triangles
 /// that lose their area by this and restores the vertices of the others. Returns whether any was
 /// dropped.
@@ -221,6 +208,19 @@ double mean_edge(const Positions& positions, const std::vector<Triangle>& triang
     return edges / double(3 * triangles.size());
 }
 
+int undo_subdivisions(const Positions& positions, const UndoLimits& undoing,
+                      std::vector<Triangle>& triangles, std::vector<Midpoint>& midpoints) {
+    if (undoing.most == 0 || triangles.size() % 4 != 0) return 0;
+    const double diagonal = bounding_box(positions, triangles).diagonal().stableNorm();
+    const double longest = std::min(undoing.longest_edge, undoing.longest_share * diagonal);
+    double edge = mean_edge(positions, triangles);
+    int undone = 0;
+    while (undone < undoing.most && 2 * edge <= longest &&
+           undo_subdivision(positions, triangles, midpoints))
+        ++undone, edge *= 2;
+    return undone;
+}
+
 std::vector<Triangle> conforming_triangles(const TriangleMesh& mesh) {
     check_indices(mesh);
     std::vector<Triangle> triangles = usable_triangles(mesh.positions, mesh.triangles);
@@ -243,7 +243,8 @@ PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const UndoLim
             mesh.positions, nearness_of(mesh.positions, prepared.triangles), prepared.triangles);
         if (cuts == Cuts::Stitched) stitch(mesh, place_of, prepared);
     }
-    undo_subdivisions(mesh.positions, undoing, prepared);
+    prepared.report.undone_subdivisions =
+        undo_subdivisions(mesh.positions, undoing, prepared.triangles, prepared.midpoints);
     do {
         keep_used_vertices(mesh, prepared);
         to_local_coordinates(mesh, prepared);
@@ -259,7 +260,7 @@ PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, const UndoLimits&
                           Facing facing) {
     PreparedMesh prepared = prepare_geometry(mesh, cuts, undoing, facing);
     prepared.mean_edge = mean_edge(prepared.positions, prepared.triangles);
-    prepared.least_kernel = mesh.least_kernel / prepared.diagonal;
+    prepared.known_edge = mesh.known_edge / prepared.diagonal;
     prepared.report.coordinate_step = coarse_step(mesh, prepared);
     return prepared;
 }

@@ -28,7 +28,7 @@ struct PreparedMesh {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< centre of the bounding box, input units
     double diagonal = 0;                               ///< D, input units
     double mean_edge = 0;                              ///< ē, local
-    double least_kernel = 0;                           ///< TriangleMesh::least_kernel, local
+    double known_edge = 0;                             ///< TriangleMesh's, local
     MeshReport report;
 
     std::size_t size() const { return positions.size(); }
@@ -46,6 +46,14 @@ struct UndoLimits {
     double longest_edge = std::numeric_limits<double>::infinity();   ///< mesh units
     double longest_share = std::numeric_limits<double>::infinity();  ///< D
 };
+
+/// Of fields and drawings, but for kernels that are given: forms of a few large triangles were
+/// subdivided for a reason.
+constexpr UndoLimits kUndoing{16, std::numeric_limits<double>::infinity(), 0.025};
+
+/// Undoes midpoint subdivisions; see undo_subdivision(). Returns how many.
+int undo_subdivisions(const std::vector<Eigen::Vector3d>& positions, const UndoLimits& undoing,
+                      std::vector<Triangle>& triangles, std::vector<Midpoint>& midpoints);
 
 /// The vertices keep the input's order. @throws Error: InvalidMesh, EmptyMesh.
 PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, const UndoLimits& undoing = {},

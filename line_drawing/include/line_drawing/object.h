@@ -24,7 +24,7 @@ struct Object {
 };
 using Objects = std::vector<Object>;
 
-/// Of the triangles' vertices that are finite.
+/// Of the triangles' vertices that are finite, and that the mesh had before it was refined.
 Eigen::AlignedBox3d bounds_of(const laplacian_lines::TriangleMesh& mesh);
 
 }  // namespace line_drawing

@@ -53,9 +53,12 @@ Field compute_field(const Object& object, PrecomputeOptions wanted, const SheetO
         wanted.kernel_size = length_of(options.kernel, mm, diagonal);
     }
     try {
-        if (options.smoothing.size > 0)
-            wanted.normal_sigma = length_of(options.smoothing, mm, diagonal) /
-                                  laplacian_lines::measure_scale(object.mesh, wanted).mean_edge;
+        if (options.smoothing.size > 0) {
+            const double known = object.mesh.known_edge;
+            const double edge =
+                known > 0 ? known : laplacian_lines::measure_scale(object.mesh, wanted).mean_edge;
+            wanted.normal_sigma = length_of(options.smoothing, mm, diagonal) / edge;
+        }
         return laplacian_lines::precompute(object.mesh, wanted, progress);
     } catch (const laplacian_lines::Error& error) {
         if (object.name.empty()) throw;

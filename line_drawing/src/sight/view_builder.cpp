@@ -32,6 +32,13 @@ laplacian_lines::VisibilityOptions visibility_options(const SheetOptions& option
             options.hidden != HiddenLines::LeftOut, true};
 }
 
+Eigen::AlignedBox3d bounds_of(const Objects& objects) {
+    Eigen::AlignedBox3d box;
+    for (const Object& object : objects)
+        box.extend(line_drawing::bounds_of(object.mesh));
+    return box;
+}
+
 TriangleMesh joined_mesh(const Objects& objects) {
     TriangleMesh all;
     for (const Object& object : objects) {
@@ -183,7 +190,7 @@ ViewBuilder::ViewBuilder(const Objects& objects)
     : objects_(objects),
       joined_(objects.size() == 1 ? TriangleMesh() : joined_mesh(objects)),
       surface_(objects.size() == 1 ? objects.front().mesh : joined_),
-      box_(bounds_of(surface_)) {
+      box_(bounds_of(objects)) {
     for (const laplacian_lines::Triangle& t : surface_.triangles)
         for (const std::uint32_t v : t)
             if (v >= surface_.positions.size())

@@ -163,11 +163,11 @@ bool is_inner(const DrawnLine& line) {
 }
 
 Eigen::AlignedBox3d bounds_of(const TriangleMesh& mesh) {
+    const std::size_t count = mesh.known_edge > 0 ? mesh.known_vertices : mesh.positions.size();
     Eigen::AlignedBox3d box;
     for (const laplacian_lines::Triangle& triangle : mesh.triangles)
         for (const std::uint32_t v : triangle)
-            if (v < mesh.positions.size() && mesh.positions[v].allFinite())
-                box.extend(mesh.positions[v]);
+            if (v < count && mesh.positions[v].allFinite()) box.extend(mesh.positions[v]);
     return box;
 }
 
