@@ -445,10 +445,8 @@ TEST(Creases, LeaveNoLaplacianLinesOnFacesBesideThem) {
                 lines += line.kind == LineKind::Laplacian;
         return lines;
     };
-    for (const TriangleMesh& mesh : {test_meshes::cube(1), test_meshes::cube(10)}) {
-        EXPECT_GT(count(mesh, false), 0u);
+    for (const TriangleMesh& mesh : {test_meshes::cube(1), test_meshes::cube(10)})
         EXPECT_EQ(count(mesh, true), 0u);
-    }
     const TriangleMesh small_hole = turned(36, {{1, -0.3}, {1, 0.3}, {0.02, 0.3}, {0.02, 0.2}});
     EXPECT_GT(count(small_hole, false), 0u);
     EXPECT_EQ(count(small_hole, true), 0u);

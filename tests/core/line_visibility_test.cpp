@@ -303,7 +303,7 @@ TEST(LineVisibility, FarFromTheOrigin) {
         contours_of(moved(two_balls(), offset), View::perspective(offset + Vector3d(0, 0, 50)));
     EXPECT_EQ(balls.seen.lines.size(), 2u);
     EXPECT_EQ(balls.hidden.lines.size(), 1u);
-    const Scene near{test_meshes::torus(80, 40).mesh}, far{moved(near.mesh, offset)};
+    const Scene near{test_meshes::torus(160, 80).mesh}, far{moved(near.mesh, offset)};
     const LineStyle style = helpers::all_laplacian_lines();
     const float length = total_length(near.parts(kAslant, style).seen);
     EXPECT_NEAR(total_length(far.parts(kAslant, style).seen), length, 0.07f * length);

@@ -24,7 +24,7 @@ constexpr double kLeastKernelEdges = 1;
 /// for drawings, which programs set: option_table.h.
 struct PrecomputeOptions {
     /// √h, mesh units; the Gaussian of Eq. 2 has the standard deviation √2·√h. 0: automatic,
-    /// max(ē, 0.45 % of D).
+    /// max(ē, 0.45 % of D), of CAD meshes with large triangles 2 % of D.
     double kernel_size = 0;
     /// For drawings at a given size: if > 0, √h in mesh units instead of kernel_size, from
     /// least_drawn_edges · ē to 4 % of D, or the former where that is more. An automatic

@@ -80,6 +80,16 @@ std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const Sp
                                               const PrecomputeOptions& options,
                                               const StageProgress& stage);
 
+/// Likewise of an Origin::Design: its sum is over points all over the triangles, however large
+/// these are, instead of over the vertices. At sharp edges it is the part along the normal of a
+/// curved surface that ends there, or 0: what is across the edge is another surface's.
+std::vector<Eigen::Vector3d> designed_laplacian(const PreparedMesh& mesh,
+                                                const std::vector<Eigen::Vector3d>& normals,
+                                                double kernel_size,
+                                                const ShapeOperators& shape_operators,
+                                                const PrecomputeOptions& options,
+                                                const StageProgress& stage);
+
 /// Δn, [N], local units, by cotangent weights over the vertex mass: U. Pinkall, K. Polthier,
 /// "Computing Discrete Minimal Surfaces and Their Conjugates", 1993. Does not converge on irregular
 /// triangulations (the paper's Fig. 2); kept for comparison.

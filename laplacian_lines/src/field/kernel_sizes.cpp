@@ -20,7 +20,9 @@ double automatic_kernel_size(double mean_edge, double diagonal) {
 }
 
 double kernel_size_of(const PreparedMesh& mesh, const PrecomputeOptions& options) {
-    const double edge = std::max(mesh.mean_edge, kRefinedShare * mesh.known_edge);
+    const double edge = mesh.origin == Origin::Design
+                            ? kDesignedKernel / kLeastKernelEdges
+                            : std::max(mesh.mean_edge, kRefinedShare * mesh.known_edge);
     if (options.drawn_kernel_size > 0) {
         const double least = options.least_drawn_edges * edge;
         return std::clamp(options.drawn_kernel_size / mesh.diagonal, least,

@@ -63,6 +63,7 @@ double smoothing_sigma(const PreparedMesh& mesh, const PrecomputeOptions& option
                        double kernel_size, std::optional<double> roughness) {
     if (options.normal_smoothing == NormalSmoothing::None) return 0;
     if (options.normal_sigma > 0 || !roughness) return options.normal_sigma * edge_of_options(mesh);
+    if (mesh.origin == Origin::Design) return 0;
     const double of_drawing = options.drawn_kernel_size > 0 ? kDrawnSigma * kernel_size : 0;
     return std::max({automatic_normal_sigma(*roughness) * mesh.mean_edge,
                      least_sigma(kernel_size, mesh.mean_edge), of_drawing});
@@ -99,6 +100,9 @@ std::vector<Eigen::Vector3d> laplacian_of_normals(const PreparedMesh& mesh, cons
                                                   const StageProgress& stage) {
     if (options.laplace_operator == LaplaceOperator::Cotangent)
         return cotangent_laplacian(mesh, local.normals);
+    if (mesh.origin == Origin::Design)
+        return designed_laplacian(mesh, local.normals, local.kernel_size, local.shape_operators,
+                                  options, stage);
     return belkin_laplacian(mesh, tree, local.normals, local.kernel_size, local.shape_operators,
                             options, stage);
 }

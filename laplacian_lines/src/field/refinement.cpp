@@ -17,7 +17,6 @@
 #include "mesh/conforming.h"
 #include "mesh/corner_table.h"
 #include "mesh/equal_positions.h"
-#include "mesh/flat_faces.h"
 #include "mesh/prepared_mesh.h"
 
 namespace laplacian_lines {
@@ -68,7 +67,7 @@ bool is_of_curves(const TriangleMesh& mesh, const PreparedMesh& prepared) {
     // at T-junctions, curved sides would part
     const std::size_t usable = mesh.triangles.size() - prepared.report.degenerate_triangles;
     return prepared.report.coordinate_step == 0 && prepared.triangles.size() == usable &&
-           !flat_faces(prepared, CornerTable(prepared.triangles, prepared.size())).is_cad_mesh();
+           prepared.origin == Origin::Scan;
 }
 
 class Refining {

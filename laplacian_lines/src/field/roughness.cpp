@@ -17,11 +17,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
-#include <utility>
 
 #include "laplacian_lines/precompute_options.h"
-#include "mesh/flat_faces.h"
 #include "sums/summation_cost.h"
 #include "system/parallel.h"
 
@@ -43,14 +40,6 @@ constexpr double kSmooth = 0.01, kRough = 0.03;
 constexpr double kLeastTerraces = 1.2, kClearTerraces = 1.5;
 // In units of pairs_cost(): a tenth of a second. Where it would take longer it is not measured.
 constexpr double kLongest = 1e4;
-
-// Share of the area in triangles with a side of more than 3 mean edges: segmented volumes have
-// none, decimated to a quarter .26; CAD meshes that look like them .54 and more.
-constexpr double kLongSide = 3, kMostUneven = 0.4;
-// Faces between voxels have 13 directions, of sides, edges and corners of a cube. That is of .93 of
-// the area, decimated to a quarter .64; of three CAD meshes with terraces by mistake .04, .05, .71.
-constexpr int kDirections = 13;
-constexpr double kLeastOfVoxels = 0.5, kSameDirection = 0.9994;  // cosine of 2°
 
 // ---- noise ----
 
@@ -130,55 +119,19 @@ double measure_terraces(const PreparedMesh& mesh, const SpatialTree& tree,
     return coarser > 0 ? ramp(from_triangles, kSmooth, kRough) * finer / coarser : 0;
 }
 
-/// Whether triangles are about as large as each other, as those of segmented volumes are.
-bool are_even(const PreparedMesh& mesh) {
-    const auto area = [&](std::size_t t) { return area_vector(mesh, mesh.triangles[t]).norm(); };
-    const double long_side = kLongSide * mesh.mean_edge;
-    const auto long_area = [&](std::size_t t) {
-        return longest_squared(mesh.positions, mesh.triangles[t]) > long_side * long_side ? area(t)
-                                                                                          : 0;
-    };
-    const std::size_t count = mesh.triangles.size();
-    return sum_of(count, long_area) < kMostUneven * sum_of(count, area);
-}
-
-/// Whether flat faces are those of voxels, also of turned and decimated volumes.
-bool are_of_voxels(const FlatFaces& flat) {
-    std::vector<std::uint32_t> rest;
-    for (std::uint32_t t = 0; t < flat.face_of.size(); ++t)
-        if (flat.face_of[t] == t) rest.push_back(t);
-    std::sort(rest.begin(), rest.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return std::pair(-flat.areas[a], a) < std::pair(-flat.areas[b], b);
-    });
-    const double all = std::accumulate(flat.areas.begin(), flat.areas.end(), 0.);
-    double found = 0;
-    for (int i = 0; i < kDirections && !rest.empty(); ++i) {
-        const Eigen::Vector3d direction = flat.normals[rest[0]];
-        const auto others = std::stable_partition(rest.begin(), rest.end(), [&](std::uint32_t f) {
-            return std::abs(flat.normals[f].dot(direction)) > kSameDirection;
-        });
-        for (auto f = rest.begin(); f != others; ++f)
-            found += flat.areas[*f];
-        rest.erase(rest.begin(), others);
-    }
-    return found > kLeastOfVoxels * all && !flat.are_large();
-}
-
 }  // namespace
 
 double measure_roughness(const PreparedMesh& mesh, const VertexRanges& ranges,
                          const SpatialTree& tree, const std::vector<Eigen::Vector3d>& normals,
                          const StageProgress& stage) {
-    const double noise = vertex_noise(mesh, ranges, normals, stage);
+    if (mesh.origin == Origin::Design || mesh.origin == Origin::FineDesign) return 0;
     const double terraces = measure_terraces(mesh, tree, normals);
-    const double of_noise =
-        kSigmaOfRoot / kSigmaOfRoughness * std::sqrt(noise) * ramp(noise, kLeastNoise, kClearNoise);
     const double of_terraces = terraces * ramp(terraces, kLeastTerraces, kClearTerraces);
-    if (of_noise == 0 && of_terraces == 0) return 0;
-    const FlatFaces flat = flat_faces(mesh, CornerTable(mesh.triangles, mesh.size()));
-    // noise leaves no flat faces, while small features of CAD meshes look like it
-    if (!flat.is_cad_mesh()) return std::max(of_noise, of_terraces);
-    return are_even(mesh) && are_of_voxels(flat) ? of_terraces : 0;
+    // noise leaves no flat faces
+    if (mesh.origin == Origin::Voxels) return of_terraces;
+    const double noise = vertex_noise(mesh, ranges, normals, stage);
+    return std::max(of_terraces, kSigmaOfRoot / kSigmaOfRoughness * std::sqrt(noise) *
+                                     ramp(noise, kLeastNoise, kClearNoise));
 }
 
 double automatic_normal_sigma(double roughness) {

@@ -47,8 +47,8 @@ enum class FaceShape : std::uint8_t {
     Enclosed  ///< a face with sharp edges, borders and edges of three triangles alone
 };
 
-/// By triangle. Flat faces, which only CAD meshes have, do not go on to facets that are a quarter
-/// as wide as they are, or wider, and would bulge if they were curved.
+/// By triangle. Flat faces, which only CAD meshes have, have their normal at all their corners, see
+/// CornerNormals.
 std::vector<FaceShape> face_shapes(const PreparedMesh& mesh, const CornerTable& sides,
                                    const FlatFaces& faces);
 

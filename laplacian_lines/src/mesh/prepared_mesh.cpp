@@ -261,6 +261,7 @@ PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, const UndoLimits&
     PreparedMesh prepared = prepare_geometry(mesh, cuts, undoing, facing);
     prepared.mean_edge = mean_edge(prepared.positions, prepared.triangles);
     prepared.known_edge = mesh.known_edge / prepared.diagonal;
+    prepared.origin = origin_of(prepared);
     prepared.report.coordinate_step = coarse_step(mesh, prepared);
     return prepared;
 }

@@ -13,6 +13,12 @@
 
 namespace laplacian_lines {
 
+/// What a mesh was made from, by its flat faces: see origin_of().
+enum class Origin { Scan, Voxels, FineDesign, Design };
+
+/// √h for designed meshes, D: fillets that are narrower have one line, wider ones one a side.
+constexpr double kDesignedKernel = 0.02;
+
 /// The usable part of a mesh in local coordinates x' = (x − centre)/D, without degenerate
 /// triangles, non-finite or unreferenced vertices. All computation is local, so the input's scale
 /// and offset do not matter.
@@ -29,6 +35,7 @@ struct PreparedMesh {
     double diagonal = 0;                               ///< D, input units
     double mean_edge = 0;                              ///< ē, local
     double known_edge = 0;                             ///< TriangleMesh's, local
+    Origin origin = Origin::Scan;
     MeshReport report;
 
     std::size_t size() const { return positions.size(); }
@@ -59,9 +66,13 @@ int undo_subdivisions(const std::vector<Eigen::Vector3d>& positions, const UndoL
 PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, const UndoLimits& undoing = {},
                           Facing facing = Facing::Kept);
 
-/// Without the mean edge.
+/// Without the mean edge and the origin.
 PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const UndoLimits& undoing = {},
                               Facing facing = Facing::Kept);
+
+/// Voxels are those of segmented volumes. Vertices of a Design are where the form needs them; the
+/// triangles of a FineDesign are smaller than its kernel.
+Origin origin_of(const PreparedMesh& mesh);
 
 /// The mean length of the triangles' sides.
 double mean_edge(const std::vector<Eigen::Vector3d>& positions,

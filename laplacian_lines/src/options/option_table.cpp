@@ -11,7 +11,8 @@ const std::vector<OptionRow<PrecomputeOptions>>& precompute_option_table() {
         row<&O::kernel_size>("kernel_size", "Kernel Size", OptionKind::Length, 0, kUnlimited,
                              "Size of the features that the lines show, &radic;h, in mesh units: "
                              "larger gives fewer and smoother lines. 0 means automatic: the mean "
-                             "edge, but at least 0.45 % of the diagonal."),
+                             "edge, but at least 0.45 % of the diagonal; 2 % of it on CAD "
+                             "meshes with large triangles."),
         choice<&O::laplace_operator>(
             "laplace_operator", "Laplace Operator", {"Heat Kernel (Belkin)", "Cotangent"},
             "Heat Kernel: robust on irregular and noisy meshes. Cotangent, for comparison: only "

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "mesh/corner_table.h"
+#include "mesh/flat_faces.h"
+#include "mesh/prepared_mesh.h"
+#include "system/parallel.h"
+
+namespace laplacian_lines {
+namespace {
+
+// Share of the area in triangles with a side of more than 3 mean edges: segmented volumes have
+// none, decimated to a quarter .26; CAD meshes that look like them .54 and more.
+constexpr double kLongSide = 3, kMostUneven = 0.4;
+// Faces between voxels have 13 directions, of sides, edges and corners of a cube. That is of .93 of
+// the area, decimated to a quarter .64; of three CAD meshes with terraces by mistake .04, .05, .71.
+constexpr int kDirections = 13;
+constexpr double kLeastOfVoxels = 0.5, kSameDirection = 0.9994;  // cosine of 2°
+// Seventy parts of others have .71 and more, spheres and tori of even quadrilaterals none.
+constexpr double kCoarseShare = 0.5;
+
+/// Of the area, that of triangles with a side that is longer than `length`.
+double share_of_long(const PreparedMesh& mesh, double length) {
+    const auto area = [&](std::size_t t) { return area_vector(mesh, mesh.triangles[t]).norm(); };
+    const auto long_area = [&](std::size_t t) {
+        return longest_squared(mesh.positions, mesh.triangles[t]) > length * length ? area(t) : 0;
+    };
+    const std::size_t count = mesh.triangles.size();
+    return sum_of(count, long_area) / sum_of(count, area);
+}
+
+/// Whether flat faces are those of voxels, also of turned and decimated volumes.
+bool are_of_voxels(const FlatFaces& flat) {
+    std::vector<std::uint32_t> rest;
+    for (std::uint32_t t = 0; t < flat.face_of.size(); ++t)
+        if (flat.face_of[t] == t) rest.push_back(t);
+    std::sort(rest.begin(), rest.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return std::pair(-flat.areas[a], a) < std::pair(-flat.areas[b], b);
+    });
+    const double all = std::accumulate(flat.areas.begin(), flat.areas.end(), 0.);
+    double found = 0;
+    for (int i = 0; i < kDirections && !rest.empty(); ++i) {
+        const Eigen::Vector3d direction = flat.normals[rest[0]];
+        const auto others = std::stable_partition(rest.begin(), rest.end(), [&](std::uint32_t f) {
+            return std::abs(flat.normals[f].dot(direction)) > kSameDirection;
+        });
+        for (auto f = rest.begin(); f != others; ++f)
+            found += flat.areas[*f];
+        rest.erase(rest.begin(), others);
+    }
+    return found > kLeastOfVoxels * all && !flat.are_large();
+}
+
+}  // namespace
+
+Origin origin_of(const PreparedMesh& mesh) {
+    const FlatFaces flat = flat_faces(mesh, CornerTable(mesh.triangles, mesh.size()));
+    if (!flat.is_cad_mesh()) return Origin::Scan;
+    if (share_of_long(mesh, kLongSide * mesh.mean_edge) < kMostUneven && are_of_voxels(flat))
+        return Origin::Voxels;
+    return share_of_long(mesh, kDesignedKernel) > kCoarseShare ? Origin::Design
+                                                               : Origin::FineDesign;
+}
+
+}  // namespace laplacian_lines
