@@ -151,7 +151,7 @@ class Orienting {
 public:
     explicit Orienting(PreparedMesh& mesh)
         : mesh_(mesh),
-          table_(mesh.triangles, mesh.size()),
+          table_(sides_of(mesh)),
           body_of_(mesh.triangles.size(), kNone),
           is_flipped_(mesh.triangles.size(), 0) {}
 
@@ -240,10 +240,11 @@ private:
             if (is_to_flip(t)) std::swap(mesh_.triangles[t][1], mesh_.triangles[t][2]), ++flipped;
         mesh_.report.opposed_share = opposed / double(table_.edge_count());
         mesh_.report.flipped_triangles = flipped << 2 * mesh_.report.undone_subdivisions;
+        if (flipped > 0) mesh_.sides.reset();
     }
 
     PreparedMesh& mesh_;
-    const CornerTable table_;
+    const CornerTable& table_;
     std::vector<Body> bodies_;
     std::vector<std::uint32_t> body_of_;    // by triangle
     std::vector<std::uint8_t> is_flipped_;  // against the first triangle of its body

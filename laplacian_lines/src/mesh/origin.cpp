@@ -7,6 +7,7 @@
 #include "mesh/corner_table.h"
 #include "mesh/flat_faces.h"
 #include "mesh/prepared_mesh.h"
+#include "system/large_array.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
@@ -22,14 +23,34 @@ constexpr double kLeastOfVoxels = 0.5, kSameDirection = 0.9994;  // cosine of 2Â
 // Seventy parts of others have .71 and more, spheres and tori of even quadrilaterals none.
 constexpr double kCoarseShare = 0.5;
 
-/// Of the area, that of triangles with a side that is longer than `length`.
-double share_of_long(const PreparedMesh& mesh, double length) {
+/// Of the area, that of some triangles.
+template <class IsCounted>
+double area_share(const PreparedMesh& mesh, IsCounted is_counted) {
     const auto area = [&](std::size_t t) { return area_vector(mesh, mesh.triangles[t]).norm(); };
-    const auto long_area = [&](std::size_t t) {
-        return longest_squared(mesh.positions, mesh.triangles[t]) > length * length ? area(t) : 0;
-    };
     const std::size_t count = mesh.triangles.size();
-    return sum_of(count, long_area) / sum_of(count, area);
+    return sum_of(count, [&](std::size_t t) { return is_counted(t) ? area(t) : 0; }) /
+           sum_of(count, area);
+}
+
+/// FlatFaces::share.
+double flat_share(const PreparedMesh& mesh, const CornerTable& sides) {
+    std::vector<Eigen::Vector3d> normals = large_array<Eigen::Vector3d>(mesh.triangles.size());
+    for_each_element(normals.size(), [&](std::size_t t) {
+        normals[t] = area_vector(mesh, mesh.triangles[t]).stableNormalized();
+    });
+    return area_share(mesh, [&](std::size_t t) {
+        for (auto side = std::uint32_t(3 * t); side < 3 * t + 3; ++side)
+            if (sides.has_neighbour(side) &&
+                normals[sides.across(side) / 3].dot(normals[t]) >= kFlatCosine)
+                return true;
+        return false;
+    });
+}
+
+double share_of_long(const PreparedMesh& mesh, double length) {
+    return area_share(mesh, [&](std::size_t t) {
+        return longest_squared(mesh.positions, mesh.triangles[t]) > length * length;
+    });
 }
 
 /// Whether flat faces are those of voxels, also of turned and decimated volumes.
@@ -56,10 +77,11 @@ bool are_of_voxels(const FlatFaces& flat) {
 
 }  // namespace
 
-Origin origin_of(const PreparedMesh& mesh) {
-    const FlatFaces flat = flat_faces(mesh, CornerTable(mesh.triangles, mesh.size()));
-    if (!flat.is_cad_mesh()) return Origin::Scan;
-    if (share_of_long(mesh, kLongSide * mesh.mean_edge) < kMostUneven && are_of_voxels(flat))
+Origin origin_of(PreparedMesh& mesh) {
+    const CornerTable& sides = sides_of(mesh);
+    if (flat_share(mesh, sides) <= kCadShare) return Origin::Scan;
+    if (share_of_long(mesh, kLongSide * mesh.mean_edge) < kMostUneven &&
+        are_of_voxels(flat_faces(mesh, sides)))
         return Origin::Voxels;
     return share_of_long(mesh, kDesignedKernel) > kCoarseShare ? Origin::Design
                                                                : Origin::FineDesign;

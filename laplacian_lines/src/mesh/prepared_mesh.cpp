@@ -179,7 +179,7 @@ double common_step(const TriangleMesh& mesh, const PreparedMesh& prepared, doubl
 }
 
 /// MeshReport::coordinate_step.
-double coarse_step(const TriangleMesh& mesh, const PreparedMesh& prepared) {
+double coarse_step(const TriangleMesh& mesh, PreparedMesh& prepared) {
     if (prepared.triangles.size() < kFewTriangles) return 0;
     const double edge = prepared.mean_edge * prepared.diagonal;
     const double step = common_step(mesh, prepared, kCoarseStep * edge);
@@ -193,11 +193,15 @@ double coarse_step(const TriangleMesh& mesh, const PreparedMesh& prepared) {
     const std::vector<Triangle>& triangles = prepared.triangles;
     const bool is_grid = std::all_of(triangles.begin(), triangles.end(), is_in_cell);
     if (is_grid) return 0;
-    const CornerTable sides(triangles, prepared.size());
-    return flat_faces(prepared, sides).are_large() ? 0 : step;
+    return flat_faces(prepared, sides_of(prepared)).are_large() ? 0 : step;
 }
 
 }  // namespace
+
+const CornerTable& sides_of(PreparedMesh& mesh) {
+    if (!mesh.sides) mesh.sides.emplace(mesh.triangles, mesh.size());
+    return *mesh.sides;
+}
 
 double mean_edge(const Positions& positions, const std::vector<Triangle>& triangles) {
     const double edges = sum_of(triangles.size(), [&](std::size_t i) {

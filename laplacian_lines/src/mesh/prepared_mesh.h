@@ -4,9 +4,11 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "laplacian_lines/triangle_mesh.h"
+#include "mesh/corner_table.h"
 #include "mesh/midpoints.h"
 #include "mesh/spatial_tree.h"
 #include "mesh/triangle_sizes.h"
@@ -36,6 +38,8 @@ struct PreparedMesh {
     double mean_edge = 0;                              ///< ē, local
     double known_edge = 0;                             ///< TriangleMesh's, local
     Origin origin = Origin::Scan;
+    /// Of the triangles; empty where they were changed since. See sides_of().
+    std::optional<CornerTable> sides;
     MeshReport report;
 
     std::size_t size() const { return positions.size(); }
@@ -70,9 +74,12 @@ PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, const UndoLimits&
 PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const UndoLimits& undoing = {},
                               Facing facing = Facing::Kept);
 
+/// Builds them if they are missing.
+const CornerTable& sides_of(PreparedMesh& mesh);
+
 /// Voxels are those of segmented volumes. Vertices of a Design are where the form needs them; the
 /// triangles of a FineDesign are smaller than its kernel.
-Origin origin_of(const PreparedMesh& mesh);
+Origin origin_of(PreparedMesh& mesh);
 
 /// The mean length of the triangles' sides.
 double mean_edge(const std::vector<Eigen::Vector3d>& positions,

@@ -60,6 +60,7 @@ void sort_triangles(PreparedMesh& mesh) {
 }  // namespace
 
 SpatialTree sort_in_space(PreparedMesh& mesh) {
+    mesh.sides.reset();
     std::vector<std::uint32_t> order;
     SpatialTree tree(mesh.positions, order);
     std::vector<std::uint32_t> place = large_array<std::uint32_t>(order.size());
