@@ -88,15 +88,12 @@ std::vector<Vector3d> designed_laplacian(const PreparedMesh& mesh,
     std::iota(points.original_vertex.begin(), points.original_vertex.end(), 0u);
     const SpatialTree tree = sort_in_space(points);
     std::vector<Vector3d> normals_of_points(points.size());
-    ShapeOperators operators(points.size());  // for the correction at borders alone
-    bool has_borders = false;
-    for (std::uint32_t side = 0; side < sides.side_count(); ++side)
-        has_borders |= sides.across(side) == CornerTable::kBorder;
+    ShapeOperators operators(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::uint32_t number = points.original_vertex[i];
         points.masses[i] = cloud.masses[number];
         normals_of_points[i] = cloud.normals[number];
-        if (has_borders && number < mesh.size() && !vertices[number].is_sharp)
+        if (number < mesh.size() && !vertices[number].is_sharp)
             operators[i] = shape_operators[number];
     }
     const std::vector<Vector3d> sums =
