@@ -27,7 +27,7 @@ using laplacian_lines::Progress;
 using laplacian_lines::TriangleMesh;
 
 constexpr double kCheckPixel = 0.25;       // mm on the sheet
-constexpr double kLargestKernel = 0.0401;  // of the diagonal: meshes without detail have none
+constexpr double kLargestDetail = 0.0401;  // of the diagonal: meshes without detail have none
 // Progress at which lines are found, and visibility is prepared.
 constexpr double kLinesShare = 0.4, kSightShare = 0.55;
 constexpr std::size_t kMostTrianglesAtOnce = 2000000;  // for views in parallel
@@ -109,7 +109,7 @@ void find_lines(const ViewBuilder& builder, ObjectLines& lines, Draft& draft,
     lines.prepare(options, scale, Kernel::Exact, progress);
     draft.remarks = lines.remarks();
     const bool is_given = options.kernel.size > 0,
-               is_detail = lines.kernel_size() <= kLargestKernel * builder.object_size().norm();
+               is_detail = lines.detail() <= kLargestDetail * builder.object_size().norm();
     options.kernel = {lines.kernel_size() * options.mm_per_unit * scale, false};
     if (is_given || is_detail) draft.kernel = options.kernel.size;
     for (std::size_t i = 0; i < options.views.size(); ++i)

@@ -70,7 +70,8 @@ Field compute_field(const Object& object, PrecomputeOptions wanted, const SheetO
 
 ObjectLines::Extractor ObjectLines::given_extractor(const Object& object) {
     const std::shared_ptr<void> nobodys;
-    return {{nobodys, object.extractor}, object.extractor_kernel, object.field != nullptr};
+    const double kernel = object.extractor_kernel;
+    return {{nobodys, object.extractor}, kernel, kernel, object.field != nullptr};
 }
 
 std::size_t ObjectLines::bytes_of(const Extractors& kept) {
@@ -156,7 +157,9 @@ ObjectLines::Extractors ObjectLines::compute(const SheetOptions& options, double
                                          describe(fault, field.report));
         result.extractors.push_back({std::make_shared<const laplacian_lines::LineExtractor>(
                                          object.mesh, field, part(own, kFieldShare, 1)),
-                                     field.scale.kernel_size, object.field != nullptr});
+                                     field.scale.kernel_size,
+                                     std::max(field.scale.kernel_size, field.scale.mean_edge),
+                                     object.field != nullptr});
     }
     return result;
 }
@@ -165,6 +168,13 @@ double ObjectLines::kernel_size() const {
     double largest = 0;
     for (const Extractor& own : in_use().extractors)
         largest = std::max(largest, own.kernel);
+    return largest;
+}
+
+double ObjectLines::detail() const {
+    double largest = 0;
+    for (const Extractor& own : in_use().extractors)
+        largest = std::max(largest, own.detail);
     return largest;
 }
 

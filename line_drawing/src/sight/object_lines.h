@@ -38,11 +38,14 @@ public:
 
     /// The largest √h, mesh units.
     double kernel_size() const;
+    /// The largest √h or mean edge, mesh units: no mesh has finer detail.
+    double detail() const;
 
 private:
     struct Extractor {
         std::shared_ptr<const laplacian_lines::LineExtractor> extractor;
         double kernel;  ///< √h, mesh units
+        double detail;  ///< that or the mean edge, the larger one
         bool is_given;  ///< from the object's own field
     };
     struct Extractors {
