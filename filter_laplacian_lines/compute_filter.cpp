@@ -84,16 +84,6 @@ QString welded_line(const MeshReport& report) {
                : QString();
 }
 
-QString undone_line(const MeshReport& report) {
-    const int times = report.undone_subdivisions;
-    return times ? QString(
-                       "Subdivision undone: field and lines are those of the %1 triangles "
-                       "before each was cut in %2")
-                       .arg((report.triangles - report.degenerate_triangles) >> 2 * times)
-                       .arg(1 << 2 * times)
-                 : QString();
-}
-
 QString kernel_line(const FieldScale& scale) {
     return QString(
                "Kernel size %1 in mesh units = %2 mean edges = %3 % of the bounding-box diagonal")
@@ -123,10 +113,9 @@ QString choices_line(const PrecomputeOptions& options) {
 
 /// Without lines that have nothing to report.
 QStringList compute_report(const Field& field, const PrecomputeOptions& options, double seconds) {
-    QStringList lines{mesh_line(field.report),   dropped_line(field.report),
-                      welded_line(field.report), undone_line(field.report),
-                      kernel_line(field.scale),  smoothing_line(field, options),
-                      choices_line(options)};
+    QStringList lines{mesh_line(field.report),        dropped_line(field.report),
+                      welded_line(field.report),      kernel_line(field.scale),
+                      smoothing_line(field, options), choices_line(options)};
     lines << QString("Computed in %1 s, stored per vertex in %2")
                  .arg(seconds, 0, 'f', 2)
                  .arg(meshlab_host::field_attribute_names(field));

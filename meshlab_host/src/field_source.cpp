@@ -31,9 +31,6 @@ QString automatic_steps_of(const Field& field, std::size_t faces) {
     if (field.report.welded_vertices)
         steps += QString(", %1 duplicated vertices welded where they cut the surface open")
                      .arg(field.report.welded_vertices);
-    if (field.report.undone_subdivisions)
-        steps += QString(", as before each triangle was cut in %1")
-                     .arg(1 << 2 * field.report.undone_subdivisions);
     if (field.report.roughness > 0)
         steps += QString(", roughness %1: normals smoothed by %2 mean edges")
                      .arg(field.report.roughness, 0, 'f', 2)

@@ -154,8 +154,7 @@ nb::dict measures(const Surface& surface) {
                    "unreferenced_vertices"_a = report.unreferenced_vertices,
                    "degenerate_triangles"_a = report.degenerate_triangles,
                    "welded_vertices"_a = report.welded_vertices,
-                   "flipped_triangles"_a = report.flipped_triangles,
-                   "undone_subdivisions"_a = report.undone_subdivisions);
+                   "flipped_triangles"_a = report.flipped_triangles);
 }
 
 nb::object read_mesh(const std::string& ending, const nb::bytes& bytes) {

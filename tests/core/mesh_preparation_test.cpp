@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshes as files hold them: with invalid elements, with surfaces cut open by duplicated vertices,
-// with midpoint subdivisions. Field and lines are those of the repaired mesh.
+// Meshes as files hold them: with invalid elements, with surfaces cut open by duplicated vertices.
+// Field and lines are those of the repaired mesh.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,6 @@ using test_meshes::append;
 using test_meshes::cut_apart;
 using test_meshes::inside_out;
 using test_meshes::mesh_named;
-using test_meshes::subdivided;
 
 TEST(Cracks, DoNotRunOnFromOneToTheNext) {
     const double crack = 5e-5 * std::sqrt(8);  // of the diagonal of a plane
@@ -213,119 +212,6 @@ TEST(Stitching, TakesZeroAsItIsRounded) {
                          {15, zero, 0}, {15, 8, zero}, {0, 0, 0}};
         two.triangles = {{0, 2, 1}, {3, 4, 5}};
         EXPECT_EQ(welded(two), 2u) << zero;
-    }
-}
-
-TriangleMesh scan() {
-    return test_meshes::with_noise(test_meshes::bumpy_sphere(4).mesh, 0.1);
-}
-
-TriangleMesh rounded_to_floats(TriangleMesh mesh) {
-    std::vector<Eigen::Vector3f> floats;  // in memory: GCC 12 does not round two at once to and fro
-    for (const Eigen::Vector3d& p : mesh.positions)
-        floats.push_back(p.cast<float>());
-    for (std::size_t v = 0; v < floats.size(); ++v)
-        mesh.positions[v] = floats[v].cast<double>();
-    return mesh;
-}
-
-/// Vertices, triangles and their corners in another order.
-TriangleMesh shuffled(const TriangleMesh& mesh) {
-    std::mt19937 random(7);
-    std::vector<std::uint32_t> place(mesh.positions.size());
-    std::iota(place.begin(), place.end(), 0);
-    std::shuffle(place.begin(), place.end(), random);
-    TriangleMesh result = mesh;
-    for (std::size_t v = 0; v < place.size(); ++v)
-        result.positions[place[v]] = mesh.positions[v];
-    for (Triangle& t : result.triangles) {
-        for (std::uint32_t& v : t)
-            v = place[v];
-        std::rotate(t.begin(), t.begin() + random() % 3, t.end());
-    }
-    std::shuffle(result.triangles.begin(), result.triangles.end(), random);
-    return result;
-}
-
-int undone(const TriangleMesh& mesh) {
-    return precompute(mesh).report.undone_subdivisions;
-}
-
-TEST(Midpoints, AreTakenOutOfMeshesOfAllKinds) {
-    TriangleMesh two = scan(), flipped = scan();
-    test_meshes::append(two, test_meshes::moved(scan(), {3, 0, 0}));
-    test_meshes::flip_triangles(flipped, 5);
-    for (const TriangleMesh& mesh : {two, flipped, test_meshes::moved(scan(), {20, -30, 0}),
-                                     test_meshes::half_torus(60, 40).mesh})
-        for (const int times : {1, 2})
-            EXPECT_EQ(
-                undone(shuffled(rounded_to_floats(subdivided(rounded_to_floats(mesh), times)))),
-                times);
-}
-
-TEST(Midpoints, StayWhereNotAllTrianglesAreQuarters) {
-    const TriangleMesh cut = subdivided(scan());
-    ASSERT_EQ(undone(cut), 1);
-    TriangleMesh moved = cut, open = cut, doubled = cut, other = cut;
-    moved.positions.back() += 1e-3 * Eigen::Vector3d::Ones();
-    open.triangles.resize(open.triangles.size() - 5);
-    doubled.triangles.insert(doubled.triangles.end(), cut.triangles.end() - 4, cut.triangles.end());
-    test_meshes::append(other, test_meshes::icosphere(2));
-    for (const TriangleMesh& mesh : {test_meshes::icosphere(5), moved, open, doubled, other})
-        EXPECT_EQ(undone(mesh), 0);
-}
-
-TEST(Midpoints, HaveTheMeansOfTheEndsOfTheirEdges) {
-    const TriangleMesh mesh = scan(), cut = subdivided(mesh);
-    const Field before = precompute(mesh), field = precompute(cut);
-    EXPECT_EQ(field.scale.kernel_size, before.scale.kernel_size);
-    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-        EXPECT_TRUE(before.normals[v] == field.normals[v] &&
-                    before.laplacian_normals[v] == field.laplacian_normals[v]);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3],
-                                v = cut.triangles[4 * t + 3][k];  // see subdivided()
-            EXPECT_LT(
-                (field.normals[v] - (field.normals[a] + field.normals[b]).normalized()).norm(),
-                1e-6f);
-            const Eigen::Vector3f mean =
-                (field.laplacian_normals[a] + field.laplacian_normals[b]) / 2;
-            EXPECT_LT((field.laplacian_normals[v] - mean).norm(), 1e-5f * mean.norm());
-        }
-}
-
-TEST(Midpoints, ChangeNoLines) {
-    const TriangleMesh mesh = rounded_to_floats(scan());
-    const LineExtractor before(mesh, helpers::complete_field(mesh));
-    for (const int times : {1, 2}) {
-        const TriangleMesh cut = subdivided(mesh, times);
-        const LineExtractor extractor(cut, helpers::complete_field(cut));
-        for (const View& view : helpers::random_views(mesh, 4))
-            EXPECT_TRUE(helpers::same_lines(helpers::extract(extractor, view, helpers::all_kinds()),
-                                            helpers::extract(before, view, helpers::all_kinds())))
-                << times;
-    }
-}
-
-TEST(Midpoints, StayIfTheKernelIsSmallerThanThatOfTheMeshBefore) {
-    const TriangleMesh mesh = scan(), cut = subdivided(mesh, 2);
-    const double kernel = precompute(mesh).scale.kernel_size;
-    PrecomputeOptions options;
-    const int undone[] = {2, 1, 0};
-    for (int i = 0; i < 3; ++i) {
-        options.kernel_size = kernel * (1.01 / double(1 << i));
-        EXPECT_EQ(precompute(cut, options).report.undone_subdivisions, undone[i]);
-    }
-}
-
-/// As far as they make them smaller than 2.5 % of D.
-TEST(Midpoints, StayOnFormsOfFewLargeTriangles) {
-    const TriangleMesh form = test_meshes::icosphere(0);
-    for (const int times : {3, 4, 5, 6}) {
-        const Field field = precompute(subdivided(form, times));
-        EXPECT_EQ(field.report.undone_subdivisions, std::max(0, times - 4));
-        EXPECT_GT(field.scale.mean_edge, (times < 4 ? 0.025 : 0.0125) * field.scale.diagonal);
     }
 }
 

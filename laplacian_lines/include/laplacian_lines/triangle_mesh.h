@@ -40,9 +40,6 @@ struct MeshReport {
     std::size_t unreferenced_vertices = 0;  ///< finite, but in no usable triangle
     std::size_t degenerate_triangles = 0;   ///< zero area, repeated or non-finite corners
     std::size_t welded_vertices = 0;        ///< merged with another one at a cut or crack
-    /// Midpoint subdivisions (all triangles cut in four at the middles of their sides) that were
-    /// undone: lines are those of the mesh before.
-    int undone_subdivisions = 0;
     /// Noise at the scale of the triangles, or terraces of segmented volumes, dimensionless. Clean
     /// meshes have 0, noise of a fifth of the edges 1, terraces 1.5 to 3.
     double roughness = 0;

@@ -37,11 +37,10 @@ constexpr double kFar = 16;
                 "The Laplacian lines field belongs to another mesh; compute it again.");
 }
 
-PreparedMesh prepare(const TriangleMesh& mesh, const Field& field, int undone) {
+PreparedMesh prepare(const TriangleMesh& mesh, const Field& field) {
     if (!has_entries(field, mesh.positions.size())) refuse_field();
     // Where the field was computed across cuts, lines go across them.
     return prepare_geometry(mesh, field.report.welded_vertices > 0 ? Cuts::Stitched : Cuts::Left,
-                            {undone},
                             field.report.flipped_triangles > 0 ? Facing::Outwards : Facing::Kept);
 }
 
@@ -127,7 +126,7 @@ bool has_needs_of(LineKind kind, const ExtractorData& data) {
 }
 
 void add_derivatives(const TriangleMesh& mesh, const Field& field, ExtractorData& data) {
-    const PreparedMesh prepared = prepare(mesh, field, data.undone_subdivisions);
+    const PreparedMesh prepared = prepare(mesh, field);
     if (!field.has_derivatives() || prepared.size() != data.vertex_count) refuse_field();
     data.curvatures = curvature_records(prepared, field, data);
 }
@@ -136,9 +135,8 @@ ExtractorData build_extractor_data(const TriangleMesh& mesh, const Field& field,
                                    const Progress& progress) {
     const StageProgress stage(progress, 0, 1, "Preparing the extraction of lines");
     stage.report(0);
-    const PreparedMesh prepared = prepare(mesh, field, field.report.undone_subdivisions);
+    const PreparedMesh prepared = prepare(mesh, field);
     ExtractorData data;
-    data.undone_subdivisions = prepared.report.undone_subdivisions;
     data.centre = prepared.centre;
     data.diagonal = prepared.diagonal;
     if (data.centre.cwiseAbs().maxCoeff() > kFar * data.diagonal) data.origin = data.centre;

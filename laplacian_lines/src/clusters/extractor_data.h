@@ -25,7 +25,6 @@ struct ExtractorData {
     std::vector<Cluster> clusters;
     std::vector<std::uint32_t> vertices_of_clusters;  ///< in the prepared mesh, cluster by cluster
     std::uint32_t vertex_count = 0;                   ///< of the prepared mesh
-    int undone_subdivisions = 0;                      ///< of the prepared mesh
     /// Of the vertices of clusters; empty if the field has no derivatives.
     std::vector<CurvatureRecord> curvatures;
     std::vector<std::uint32_t> border_edges;

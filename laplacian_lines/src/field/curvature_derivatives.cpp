@@ -117,7 +117,6 @@ void write(const PreparedMesh& mesh, const std::vector<Eigen::Vector3d>& smoothe
         curvatures[v] = (smoothed[i] / d).unaryExpr(&to_float);
         derivatives[v] = (forms[i].entries() / d / d).unaryExpr(&to_float);
     });
-    fill_midpoint_derivatives(mesh, field);
     copy_to_welded(mesh.representative, curvatures, derivatives);
 }
 

@@ -96,13 +96,6 @@ std::vector<Eigen::Vector3d> designed_laplacian(const PreparedMesh& mesh,
 std::vector<Eigen::Vector3d> cotangent_laplacian(const PreparedMesh& mesh,
                                                  const std::vector<Eigen::Vector3d>& normals);
 
-/// Gives the vertices that undone subdivisions had added the means of what is at the ends of their
-/// edges: normals, Δn, S.
-void fill_midpoints(const PreparedMesh& mesh, Field& field);
-
-/// The same of S̄ and C, carried from the ends' tangent frames to theirs.
-void fill_midpoint_derivatives(const PreparedMesh& mesh, Field& field);
-
 /// Gives welded vertices what their representatives have in the `columns`, [N] of the input.
 template <class... Column>
 void copy_to_welded(const std::vector<std::uint32_t>& representative, Column&... columns) {

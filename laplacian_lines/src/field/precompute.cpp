@@ -37,13 +37,8 @@ double least_sigma(double kernel_size, double mean_edge) {
     return std::min(kFineSigma * mean_edge, kSigmaOfFineness * std::sqrt(std::max(fineness, 0.)));
 }
 
-/// A given kernel keeps subdivisions without which mean edges would be longer than it.
-PreparedMesh prepare(const TriangleMesh& mesh, const PrecomputeOptions& options, Facing facing) {
-    UndoLimits undoing = kUndoing;
-    if (options.kernel_size > 0) undoing.longest_edge = options.kernel_size;
-    if (mesh.known_edge > 0) undoing.most = 0;
-    return prepare_mesh(mesh, options.weld_duplicates ? Cuts::Stitched : Cuts::Left, undoing,
-                        facing);
+Cuts cuts_of(const PrecomputeOptions& options) {
+    return options.weld_duplicates ? Cuts::Stitched : Cuts::Left;
 }
 
 /// [N], local units.
@@ -142,7 +137,6 @@ Field in_input_units(const PreparedMesh& mesh, const LocalField& local, std::siz
         field.shape_operators[v] = {by_d(s.xx), by_d(s.yy), by_d(s.zz),
                                     by_d(s.yz), by_d(s.xz), by_d(s.xy)};
     });
-    fill_midpoints(mesh, field);
     copy_to_welded(mesh.representative, field.normals, field.laplacian_normals,
                    field.shape_operators);
     field.scale = scale_of(mesh, local.kernel_size, local.normal_sigma);
@@ -164,7 +158,7 @@ Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options,
     };
     // The usable part, in units of the bounding box's diagonal D; neighbours are near in memory.
     stage(0, kPrepared, "Preparing the mesh");
-    PreparedMesh prepared = prepare(mesh, options, Facing::Outwards);
+    PreparedMesh prepared = prepare_mesh(mesh, cuts_of(options), Facing::Outwards);
     stage(kPrepared, kSorted, "Sorting in space");
     const SpatialTree tree = sort_in_space(prepared);
     const VertexRanges ranges(prepared);
@@ -215,7 +209,6 @@ void add_curvature_derivatives(const TriangleMesh& mesh, Field& field, const Pro
     stage.report(0);
     PreparedMesh prepared =
         prepare_mesh(mesh, field.report.welded_vertices > 0 ? Cuts::Stitched : Cuts::Left,
-                     {field.report.undone_subdivisions},
                      field.report.flipped_triangles > 0 ? Facing::Outwards : Facing::Kept);
     const SpatialTree tree = sort_in_space(prepared);
     fill_curvature_derivatives(prepared, tree, stage.part(0.4, 1), field);
@@ -223,7 +216,7 @@ void add_curvature_derivatives(const TriangleMesh& mesh, Field& field, const Pro
 
 FieldScale measure_scale(const TriangleMesh& mesh, const PrecomputeOptions& options) {
     validate(options);
-    const PreparedMesh prepared = prepare(mesh, options, Facing::Kept);
+    const PreparedMesh prepared = prepare_mesh(mesh, cuts_of(options), Facing::Kept);
     const double kernel_size = kernel_size_of(prepared, options);
     return scale_of(prepared, kernel_size,
                     smoothing_sigma(prepared, options, kernel_size, std::nullopt));

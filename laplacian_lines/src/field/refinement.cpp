@@ -16,7 +16,7 @@
 #include "mesh/bounding_box.h"
 #include "mesh/conforming.h"
 #include "mesh/corner_table.h"
-#include "mesh/equal_positions.h"
+#include "mesh/midpoints.h"
 #include "mesh/prepared_mesh.h"
 
 namespace laplacian_lines {
@@ -46,20 +46,6 @@ bool is_coarse(const TriangleMesh& mesh) {
     if (count < kLeastTriangles || 4 * count > kMostTriangles) return false;
     const double diagonal = bounding_box(mesh.positions, mesh.triangles).diagonal().norm();
     return mean_edge(mesh.positions, mesh.triangles) > kCoarseEdge * diagonal;
-}
-
-/// The mesh before it was subdivided at the middles of its edges, if it was.
-void undo_subdivisions(TriangleMesh& mesh) {
-    if (mesh.triangles.size() % 4 != 0) return;
-    std::vector<Triangle> triangles =
-        with_places(mesh.triangles, first_equal_positions(mesh.positions));
-    const auto is_degenerate = [](const Triangle& t) {
-        return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-    };
-    std::vector<Midpoint> midpoints;
-    if (std::none_of(triangles.begin(), triangles.end(), is_degenerate) &&
-        undo_subdivisions(mesh.positions, kUndoing, triangles, midpoints) > 0)
-        mesh.triangles.swap(triangles);
 }
 
 /// Whether the surface between the vertices may be curved: edges and steps of the form are not.
@@ -164,23 +150,20 @@ private:
     double longest_ = 0;
 };
 
-/// Returns whether the mesh was cut.
-bool cut_finer(TriangleMesh& mesh, const StageProgress& stage) try {
-    if (!is_coarse(mesh)) return false;
-    PreparedMesh prepared = prepare_mesh(mesh, Cuts::Stitched, {}, Facing::Outwards);
-    if (!is_of_curves(mesh, prepared)) return false;
+void cut_finer(TriangleMesh& mesh, const StageProgress& stage) try {
+    if (!is_coarse(mesh)) return;
+    PreparedMesh prepared = prepare_mesh(mesh, Cuts::Stitched, Facing::Outwards);
+    if (!is_of_curves(mesh, prepared)) return;
     const SpatialTree tree = sort_in_space(prepared);
     const VertexRanges ranges(prepared);
     const auto normals = vertex_normals(prepared, ranges, stage.part(0.2, 0.3));
-    if (measure_roughness(prepared, ranges, tree, normals, stage.part(0.3, 0.5)) > 0) return false;
+    if (measure_roughness(prepared, ranges, tree, normals, stage.part(0.3, 0.5)) > 0) return;
     Refining refining(mesh, prepared, normals);
     for (int cuts = 0; cuts < kMostCuts && is_coarse(refining.mesh()); ++cuts)
         refining.cut_in_four();
     mesh = refining.take_mesh();
-    return true;
 } catch (const Error& error) {
     if (error.code() == ErrorCode::Cancelled) throw;
-    return false;
 }
 
 }  // namespace
@@ -189,9 +172,8 @@ TriangleMesh refined(TriangleMesh mesh, const Progress& progress) {
     const StageProgress stage(progress, 0, 1, "Refining the mesh");
     stage.report(0);
     if (!are_valid(mesh)) return mesh;
-    std::vector<Triangle> given = mesh.triangles;
     undo_subdivisions(mesh);
-    if (!cut_finer(mesh, stage)) mesh.triangles.swap(given);
+    cut_finer(mesh, stage);
     return mesh;
 }
 

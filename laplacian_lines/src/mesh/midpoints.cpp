@@ -11,13 +11,17 @@
 #include <optional>
 
 #include "mesh/bounding_box.h"
+#include "mesh/conforming.h"
 #include "mesh/corner_table.h"
+#include "mesh/equal_positions.h"
+#include "mesh/prepared_mesh.h"
 
 namespace laplacian_lines {
 namespace {
 
 // Of the largest coordinate: error of an edge's middle that was rounded to floats twice.
 constexpr double kRounding = 5e-7;
+constexpr double kLongestEdge = 0.025;  // of the mean edge before a subdivision that is undone; D
 
 using Positions = std::vector<Eigen::Vector3d>;
 
@@ -59,7 +63,7 @@ public:
 
     /// On flat parts, where several cuts are possible, triangles are skipped at first. They are
     /// reached from a vertex that is farthest to one side, as each surface has: that is no
-    /// midpoint.
+    /// middle.
     bool run() {
         for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
             if (is_done_[i]) continue;
@@ -83,7 +87,6 @@ public:
             triangles.push_back(triangle);
         return triangles;
     }
-    const std::vector<Midpoint>& midpoints() const { return midpoints_; }
 
 private:
     enum class Role : std::uint8_t { Unknown, Corner, Middle };
@@ -140,8 +143,6 @@ private:
     bool join(const Cut& cut) {
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t middle = triangles_[cut.inner][(k + 1) % 3];
-            if (role_[middle] == Role::Unknown)
-                midpoints_.push_back({middle, {cut.corners[k], cut.corners[(k + 1) % 3]}});
             if (!set_role(middle, Role::Middle) || !set_role(cut.corners[k], Role::Corner) ||
                 is_done_[cut.quarters[k]]++)
                 return false;
@@ -162,7 +163,6 @@ private:
     std::vector<Role> role_;             // by vertex
     std::vector<std::uint8_t> is_done_;  // by triangle
     std::vector<Cut> joined_;
-    std::vector<Midpoint> midpoints_;
 };
 
 /// Whether the first triangle can be part of a cut, which rules out most meshes at once.
@@ -176,18 +176,31 @@ bool begins_cut(const Positions& positions, const std::vector<Triangle>& triangl
     return !QuarterJoiner(positions, around, within).cuts_with(0).empty();
 }
 
-}  // namespace
-
-bool undo_subdivision(const Positions& positions, std::vector<Triangle>& triangles,
-                      std::vector<Midpoint>& midpoints) {
+bool undo_subdivision(const Positions& positions, std::vector<Triangle>& triangles) {
     if (triangles.empty() || triangles.size() % 4 != 0) return false;
     const double within = kRounding * largest_coordinate(positions, triangles);
     if (!begins_cut(positions, triangles, within)) return false;
     QuarterJoiner joiner(positions, triangles, within);
     if (!joiner.run()) return false;
     triangles = joiner.take_triangles();
-    midpoints.insert(midpoints.end(), joiner.midpoints().begin(), joiner.midpoints().end());
     return true;
+}
+
+}  // namespace
+
+void undo_subdivisions(TriangleMesh& mesh) {
+    if (mesh.triangles.size() % 4 != 0) return;
+    std::vector<Triangle> triangles =
+        with_places(mesh.triangles, first_equal_positions(mesh.positions));
+    const auto is_degenerate = [](const Triangle& t) {
+        return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+    };
+    if (std::any_of(triangles.begin(), triangles.end(), is_degenerate)) return;
+    const double longest =
+        kLongestEdge * bounding_box(mesh.positions, triangles).diagonal().stableNorm();
+    for (double edge = mean_edge(mesh.positions, triangles);
+         2 * edge <= longest && undo_subdivision(mesh.positions, triangles); edge *= 2)
+        mesh.triangles = triangles;
 }
 
 }  // namespace laplacian_lines

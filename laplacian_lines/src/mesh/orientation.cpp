@@ -239,7 +239,7 @@ private:
         for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
             if (is_to_flip(t)) std::swap(mesh_.triangles[t][1], mesh_.triangles[t][2]), ++flipped;
         mesh_.report.opposed_share = opposed / double(table_.edge_count());
-        mesh_.report.flipped_triangles = flipped << 2 * mesh_.report.undone_subdivisions;
+        mesh_.report.flipped_triangles = flipped;
         if (flipped > 0) mesh_.sides.reset();
     }
 

@@ -3,11 +3,10 @@
 //  1. Triangles without an area, or with corners that are not finite, are dropped.
 //  2. T-junctions are cut, and vertices at one place, or across a crack, welded where they cut the
 //     surface open.
-//  3. Subdivisions at the middles of edges are undone.
-//  4. Used vertices are kept, in coordinates around the bounding box's centre and in units of its
+//  3. Used vertices are kept, in coordinates around the bounding box's centre and in units of its
 //     diagonal D. Triangles that lose their area by rounding are dropped as well.
-//  5. Triangles folded over by a needle's width are unfolded, and all turned outwards.
-//  6. The mean edge is measured, and whether coordinates are so coarse that smooth surfaces bend.
+//  4. Triangles folded over by a needle's width are unfolded, and all turned outwards.
+//  5. The mean edge is measured, and whether coordinates are so coarse that smooth surfaces bend.
 #include "mesh/prepared_mesh.h"
 
 #include <Eigen/Geometry>
@@ -93,7 +92,7 @@ bool drop_lost_triangles(PreparedMesh& prepared) {
     expect_surface(usable);
     const std::size_t lost = prepared.triangles.size() - usable.size();
     if (lost == 0) return false;
-    prepared.report.degenerate_triangles += lost << 2 * prepared.report.undone_subdivisions;
+    prepared.report.degenerate_triangles += lost;
     for (Triangle& t : usable)
         for (std::uint32_t& v : t)
             v = prepared.original_vertex[v];
@@ -212,19 +211,6 @@ double mean_edge(const Positions& positions, const std::vector<Triangle>& triang
     return edges / double(3 * triangles.size());
 }
 
-int undo_subdivisions(const Positions& positions, const UndoLimits& undoing,
-                      std::vector<Triangle>& triangles, std::vector<Midpoint>& midpoints) {
-    if (undoing.most == 0 || triangles.size() % 4 != 0) return 0;
-    const double diagonal = bounding_box(positions, triangles).diagonal().stableNorm();
-    const double longest = std::min(undoing.longest_edge, undoing.longest_share * diagonal);
-    double edge = mean_edge(positions, triangles);
-    int undone = 0;
-    while (undone < undoing.most && 2 * edge <= longest &&
-           undo_subdivision(positions, triangles, midpoints))
-        ++undone, edge *= 2;
-    return undone;
-}
-
 std::vector<Triangle> conforming_triangles(const TriangleMesh& mesh) {
     check_indices(mesh);
     std::vector<Triangle> triangles = usable_triangles(mesh.positions, mesh.triangles);
@@ -233,8 +219,7 @@ std::vector<Triangle> conforming_triangles(const TriangleMesh& mesh) {
     return with_places(std::move(triangles), place_of);
 }
 
-PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const UndoLimits& undoing,
-                              Facing facing) {
+PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, Facing facing) {
     check_indices(mesh);
     PreparedMesh prepared;
     prepared.report.vertices = mesh.positions.size();
@@ -247,22 +232,18 @@ PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const UndoLim
             mesh.positions, nearness_of(mesh.positions, prepared.triangles), prepared.triangles);
         if (cuts == Cuts::Stitched) stitch(mesh, place_of, prepared);
     }
-    prepared.report.undone_subdivisions =
-        undo_subdivisions(mesh.positions, undoing, prepared.triangles, prepared.midpoints);
     do {
         keep_used_vertices(mesh, prepared);
         to_local_coordinates(mesh, prepared);
     } while (drop_lost_triangles(prepared));
     unfold_needles(prepared.positions, prepared.triangles);
     if (facing == Facing::Outwards) orient(prepared);
-    prepared.report.unreferenced_vertices -=
-        prepared.report.welded_vertices + prepared.midpoints.size();
+    prepared.report.unreferenced_vertices -= prepared.report.welded_vertices;
     return prepared;
 }
 
-PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, const UndoLimits& undoing,
-                          Facing facing) {
-    PreparedMesh prepared = prepare_geometry(mesh, cuts, undoing, facing);
+PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, Facing facing) {
+    PreparedMesh prepared = prepare_geometry(mesh, cuts, facing);
     prepared.mean_edge = mean_edge(prepared.positions, prepared.triangles);
     prepared.known_edge = mesh.known_edge / prepared.diagonal;
     prepared.origin = origin_of(prepared);

@@ -3,13 +3,11 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <vector>
 
 #include "laplacian_lines/triangle_mesh.h"
 #include "mesh/corner_table.h"
-#include "mesh/midpoints.h"
 #include "mesh/spatial_tree.h"
 #include "mesh/triangle_sizes.h"
 
@@ -31,8 +29,6 @@ struct PreparedMesh {
     std::vector<std::uint32_t> original_vertex;  ///< [N] -> index in the input
     /// The representative of each vertex of the input, see stitch_cuts(); empty: itself.
     std::vector<std::uint32_t> representative;
-    /// Vertices of the input that undone subdivisions had added; those of later ones come first.
-    std::vector<Midpoint> midpoints;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< centre of the bounding box, input units
     double diagonal = 0;                               ///< D, input units
     double mean_edge = 0;                              ///< ē, local
@@ -51,28 +47,11 @@ enum class Cuts { Left, Stitched };
 /// Whether triangles are turned: see orient().
 enum class Facing { Kept, Outwards };
 
-/// How many subdivisions are undone: at most so many, and only as long as the mean edge is shorter.
-struct UndoLimits {
-    int most = 0;                                                    ///< times
-    double longest_edge = std::numeric_limits<double>::infinity();   ///< mesh units
-    double longest_share = std::numeric_limits<double>::infinity();  ///< D
-};
-
-/// Of fields and drawings, but for kernels that are given: forms of a few large triangles were
-/// subdivided for a reason.
-constexpr UndoLimits kUndoing{16, std::numeric_limits<double>::infinity(), 0.025};
-
-/// Undoes midpoint subdivisions; see undo_subdivision(). Returns how many.
-int undo_subdivisions(const std::vector<Eigen::Vector3d>& positions, const UndoLimits& undoing,
-                      std::vector<Triangle>& triangles, std::vector<Midpoint>& midpoints);
-
 /// The vertices keep the input's order. @throws Error: InvalidMesh, EmptyMesh.
-PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, const UndoLimits& undoing = {},
-                          Facing facing = Facing::Kept);
+PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, Facing facing = Facing::Kept);
 
 /// Without the mean edge and the origin.
-PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, const UndoLimits& undoing = {},
-                              Facing facing = Facing::Kept);
+PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, Facing facing = Facing::Kept);
 
 /// Builds them if they are missing.
 const CornerTable& sides_of(PreparedMesh& mesh);
