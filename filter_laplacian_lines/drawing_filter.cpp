@@ -39,14 +39,17 @@ QString report(const WorldLayers& layers, const QString& file, const Sheet& shee
                "Drawing of %1: %2, %3 on paper of %4 x %5 mm. %6 %7 in size, with %8 mm to the "
                "unit of the mesh.%9")
         .arg(names_of(layers), file,
-             in_qt(sheet.scale > 0 ? "scale " + line_drawing::scale_text(sheet.scale)
-                                   : "in perspective and so without a scale"),
+             QString::fromStdString(sheet.scale > 0
+                                        ? "scale " + line_drawing::scale_text(sheet.scale)
+                                        : "in perspective and so without a scale"),
              QString::number(sheet.size.x()), QString::number(sheet.size.y()),
              QString(layers.size() > 1 ? "Together the objects are" : "The object is"),
-             in_qt(line_drawing::size_text(size, " x ")), QString::number(options.mm_per_unit),
-             sheet.kernel > 0 ? QString(" Inner lines have a kernel of √h = %1 mm on paper.")
-                                    .arg(in_qt(line_drawing::kernel_text(sheet.kernel)))
-                              : QString());
+             QString::fromStdString(line_drawing::size_text(size, " x ")),
+             QString::number(options.mm_per_unit),
+             sheet.kernel > 0
+                 ? QString(" Inner lines have a kernel of √h = %1 mm on paper.")
+                       .arg(QString::fromStdString(line_drawing::kernel_text(sheet.kernel)))
+                 : QString());
 }
 
 /// Without hashes: a layer may differ from its file.
@@ -100,7 +103,7 @@ QString write(Sheet& sheet, const WorldLayers& layers, const QString& name) {
 
 void run(const meshlab_host::FilterRun& run) {
     const DrawingParameters chosen = read_drawing_parameters(run.parameters);
-    const QString name = in_qt(file_for(*run.document.mm(), chosen.file));
+    const QString name = QString::fromStdString(file_for(*run.document.mm(), chosen.file));
     line_drawing::format_of(in_system(name));  // refuses now, not after the work
     line_drawing::check_writable(in_system(name));
     const std::optional<meshlab_host::CurrentView> window = meshlab_host::current_view();
@@ -113,7 +116,7 @@ void run(const meshlab_host::FilterRun& run) {
         {chosen.is_of_all_layers, options.style.shows.needs_derivatives()}, run, kFieldShare);
     set_texts(layers, options);
     for (const std::string& remark : line_drawing::check_texts(options, in_system(name)))
-        run.say(in_qt(remark));
+        run.say(QString::fromStdString(remark));
     Sheet sheet =
         line_drawing::make_sheets(objects_of(layers), {options},
                                   meshlab_host::progress_to(run.progress, kFieldShare, kSheetShare))
@@ -124,7 +127,7 @@ void run(const meshlab_host::FilterRun& run) {
     const Eigen::Vector3d size = options.mm_per_unit * size_of(layers);
     run.say(report(layers, file, sheet, size, options));
     for (const std::string& remark : sheet.remarks)
-        run.say(in_qt(remark));
+        run.say(QString::fromStdString(remark));
     if (window) meshlab_host::record_as(kFilterName, recorded, run.document);
     run.results["file"] = file;
     run.results["scale"] = sheet.scale;

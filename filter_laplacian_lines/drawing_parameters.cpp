@@ -82,7 +82,7 @@ DrawingParameters read_drawing_parameters(const RichParameterList& list) {
 }
 
 std::string file_for(const MeshModel& mesh, const std::string& file) {
-    return in_qt(file)
+    return QString::fromStdString(file)
         .replace(kFolderPlace, folder_of(mesh))
         .replace(kNamePlace, name_of(mesh))
         .toStdString();
@@ -94,7 +94,7 @@ DrawingParameters for_any_mesh(DrawingParameters chosen, const MeshModel& mesh,
     for (std::string& view : views)
         if (line_drawing::lower(view) == kWindowView) view = frame_text(frame_of(window));
     chosen.views = line_drawing::joined(views, " ");
-    const QFileInfo file(in_qt(chosen.file));
+    const QFileInfo file(QString::fromStdString(chosen.file));
     QString name = file.fileName();
     if (!mesh.fullName().isEmpty() && file.absolutePath() == folder_of(mesh)) {
         const int end = name_of(mesh).size();
@@ -107,7 +107,7 @@ DrawingParameters for_any_mesh(DrawingParameters chosen, const MeshModel& mesh,
 
 SheetOptions sheet_options(const DrawingParameters& chosen,
                            const std::optional<CurrentView>& window) {
-    if (in_qt(chosen.views).contains(kWindowView, Qt::CaseInsensitive) && !window)
+    if (QString::fromStdString(chosen.views).contains(kWindowView, Qt::CaseInsensitive) && !window)
         refuse(
             "There is no window whose view could be drawn. Name other \"Views\", such as front, "
             "six or 30,15.");

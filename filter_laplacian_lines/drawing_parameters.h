@@ -19,10 +19,6 @@ constexpr int likely_unit(double diagonal) {
     return diagonal < 10 ? metre : millimetre;
 }
 
-inline QString in_qt(const std::string& text) {
-    return QString::fromStdString(text);
-}
-
 /// The file is beside the mesh's; with a window its view and the likely unit. Scripts have the same
 /// everywhere.
 DrawingParameters drawing_defaults(const MeshModel* mesh, bool has_window);

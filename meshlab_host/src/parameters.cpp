@@ -20,11 +20,12 @@ namespace {
 
 double as_written(float value) {
     if (!std::isfinite(value)) return value;
-    for (int digits = 6; digits < 9; ++digits) {
-        const double decimal = QString::number(double(value), 'g', digits).toDouble();
-        if (float(decimal) == value) return decimal;
+    double decimal = value;
+    for (int digits = 6; digits <= std::numeric_limits<float>::max_digits10; ++digits) {
+        decimal = QString::number(double(value), 'g', digits).toDouble();
+        if (float(decimal) == value) break;
     }
-    return value;
+    return decimal;
 }
 
 /// Empty for types without a number: asking a value for another type trips an assertion in MeshLab.
@@ -45,13 +46,9 @@ struct ParameterText {
     QString name, label, tool_tip;
 };
 
-template <class Rich, class... Value>
-void add(const ParameterText& text, RichParameterList& list, const Value&... value) {
-    list.addParam(Rich(text.name, value..., text.label, text.tool_tip));
-}
-
-QString in_qt(const std::string& text) {
-    return QString::fromStdString(text);
+template <class Rich, class... Values>
+void add(const ParameterText& text, RichParameterList& list, const Values&... values) {
+    list.addParam(Rich(text.name, values..., text.label, text.tool_tip));
 }
 
 Point3m point_of(const Eigen::Vector3d& p) {
@@ -69,31 +66,26 @@ QColor color_of(double value) {
     return QColor(QRgb(value));
 }
 
-[[noreturn]] void refuse(const QString& value, const OptionDescription& option) {
-    laplacian_lines::refuse_value(QString("\"%1\"").arg(option.label).toStdString(),
-                                  value.toStdString(), laplacian_lines::allowed_values(option));
-}
-
 double number_of(const Value& value, const OptionDescription& option) {
     const std::optional<double> result = number(value);
-    if (!result || std::isnan(*result)) refuse("not a number", option);
+    if (!result || std::isnan(*result)) refuse_value(option, "not a number");
     if (!(*result >= option.minimum && *result <= option.maximum))
-        refuse(QString::number(*result), option);
+        refuse_value(option, QString::number(*result).toStdString());
     return *result;
 }
 
-std::string text_of(const Value& value, const OptionDescription& option) {
-    if (!value.isString()) refuse("not a text", option);
+std::string string_of(const Value& value, const OptionDescription& option) {
+    if (!value.isString()) refuse_value(option, "not a text");
     return value.getString().toStdString();
 }
 
 Eigen::Vector3d place_of(const Value& value, const OptionDescription& option) {
-    if (!is_point(value)) refuse("not a point", option);
+    if (!is_point(value)) refuse_value(option, "not a point");
     const Point3m p = point_in(value);
     const Eigen::Vector3d place(as_written(float(p[0])), as_written(float(p[1])),
                                 as_written(float(p[2])));
-    if (!place.allFinite()) refuse("not finite", option);
-    if (option.kind == OptionKind::Direction && place.isZero(0)) refuse("0 0 0", option);
+    if (!place.allFinite()) refuse_value(option, "not finite");
+    if (option.kind == OptionKind::Direction && place.isZero(0)) refuse_value(option, "0 0 0");
     return place;
 }
 
@@ -159,10 +151,11 @@ void add_parameter(const OptionDescription& option, const OptionValue& value,
         case OptionKind::Color:
             return add<RichColor>(text, list, color_of(std::get<double>(value)));
         case OptionKind::Text:
-            return add<RichString>(text, list, in_qt(std::get<std::string>(value)));
+            return add<RichString>(text, list,
+                                   QString::fromStdString(std::get<std::string>(value)));
         case OptionKind::File:
             return add<RichFileToSave>(
-                text, list, in_qt(std::get<std::string>(value)),
+                text, list, QString::fromStdString(std::get<std::string>(value)),
                 QString("%1 (*.%2)").arg(option.label, choices_of(option).join(" *.")));
         case OptionKind::Position:
             return add<RichPlace>(text, list, point_of(std::get<Eigen::Vector3d>(value)));
@@ -179,7 +172,7 @@ OptionValue read_parameter(const OptionDescription& option, const OptionValue& f
     switch (option.kind) {
         case OptionKind::Text:
         case OptionKind::File:
-            return text_of(value, option);
+            return string_of(value, option);
         case OptionKind::Position:
         case OptionKind::Direction:
             return place_of(value, option);
@@ -194,11 +187,10 @@ double number_in(const QString& text, const OptionDescription& option) {
                          : option.kind == OptionKind::Color  ? color_in(text)
                                                              : real_in(text);
     if (value >= option.minimum && value <= option.maximum) return value;
+    const bool is_real = option.kind == OptionKind::Real || option.kind == OptionKind::Length;
     const bool has_comma =
-        text.contains(',') && !std::isnan(real_in(QString(text).replace(',', '.')));
-    laplacian_lines::refuse_value(
-        QString("\"%1\"").arg(option.label).toStdString(), text.toStdString(),
-        laplacian_lines::allowed_values(option) + (has_comma ? ", with a decimal point" : ""));
+        is_real && text.contains(',') && !std::isnan(real_in(QString(text).replace(',', '.')));
+    refuse_value(option, text.toStdString(), has_comma ? ", with a decimal point" : "");
 }
 
 QString text_of(double value, const OptionDescription& option) {

@@ -204,6 +204,16 @@ TEST(Stitching, PassesOverVerticesThatAreNotNumbers) {
     EXPECT_EQ(welded(mesh), 0u);
 }
 
+/// As files without data at some places have them.
+TEST(Stitching, PassesOverVerticesFarOff) {
+    TriangleMesh mesh = cut_apart(mesh_named("half_torus").mesh);
+    const std::size_t expected = welded(mesh);
+    mesh.positions.push_back(Eigen::Vector3d::Constant(1e30));
+    EXPECT_EQ(welded(mesh), expected);
+    EXPECT_EQ(conforming_triangles(mesh),
+              conforming_triangles(cut_apart(mesh_named("half_torus").mesh)));
+}
+
 /// CAD faces meet where coordinates are 0 but for rounding.
 TEST(Stitching, TakesZeroAsItIsRounded) {
     for (const double zero : {-0., -8.9e-16, 8.9e-16}) {

@@ -79,6 +79,17 @@ TEST(SheetLayout, ManyViewsStandInRows) {
     }
 }
 
+TEST(SheetLayout, TheOnlySectionIsBelowIfItHasNoPlaceBeside) {
+    TriangleMesh bar = box();
+    for (Eigen::Vector3d& p : bar.positions)
+        p = p.cwiseProduct(Eigen::Vector3d(8, 1, 1));
+    SheetOptions options = fitting("front");
+    options.sections.resize(1);
+    options.scale = 0.56;  // 269 mm of 277, and sections are 22 mm wide
+    const Sheet sheet = sheet_helpers::sheet_of(bar, options);
+    EXPECT_GT(extent_of(sheet.groups[1]).top(), extent_of(sheet.groups[0]).bottom());
+}
+
 TEST(SheetLayout, TakesTheLargestUsualScaleThatFits) {
     EXPECT_EQ(sheet_of(fitting("front")).scale, 4);  // 240 mm on lying A4
     EXPECT_EQ(sheet_of(fitting("front", "a5")).scale, 2);

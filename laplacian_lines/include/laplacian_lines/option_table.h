@@ -32,15 +32,15 @@ struct OptionDescription {
     const char* label;  ///< short name in dialogs
     const char* help;   ///< what it does, with its unit
     OptionKind kind;
-    double minimum;
+    double minimum;  ///< of numbers, as all limits
     double maximum;  ///< kUnlimited if there is none
     std::vector<const char*> choices;
 };
 
 using OptionValue = std::variant<double, std::string, Eigen::Vector3d>;
 
-/// A member of an options struct. Scripts, range checks and those in dialogs are made from these
-/// rows; defaults are those of a default-constructed struct.
+/// A member of an options struct. Parameters of dialogs and scripts, and checks of their ranges,
+/// are made from these rows; defaults are those of a default-constructed struct.
 template <class Options>
 struct OptionRow : OptionDescription {
     double (*get)(const Options&);  ///< null for texts and vectors, as set
@@ -70,6 +70,9 @@ std::string allowed_values(const OptionDescription& option);
 /// "WHAT is VALUE. It has to be ALLOWED." @throws Error(InvalidOption), always
 [[noreturn]] void refuse_value(const std::string& what, const std::string& value,
                                const std::string& allowed);
+/// Of an option, by its label; `remark` follows what is allowed.
+[[noreturn]] void refuse_value(const OptionDescription& option, const std::string& value,
+                               const std::string& remark = {});
 
 const std::vector<OptionRow<PrecomputeOptions>>& precompute_option_table();
 const std::vector<OptionRow<LineStyle>>& line_style_table();

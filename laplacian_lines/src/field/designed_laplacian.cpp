@@ -21,8 +21,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSpacing = 0.5;             // √h; sides of small triangles are shorter
-constexpr std::size_t kMostPoints = 400000;  // but for one a triangle
+constexpr double kSpacing = 0.5;              // √h; sides of small triangles are shorter
+constexpr std::size_t kMostPoints = 1000000;  // besides one a triangle: a second
 
 /// The vertices of a mesh, and then points on its triangles.
 struct PointCloud {
@@ -55,33 +55,34 @@ struct PointCloud {
 
 /// With a larger spacing if there are too many points.
 PointCloud point_cloud(const PreparedMesh& mesh, const CornerNormals& corners,
-                       const std::vector<Vector3d>& normals, double spacing) {
-    PointCloud cloud{mesh.positions, normals, std::vector<double>(mesh.size()), spacing,
+                       const std::vector<CornerNormals::AtVertex>& vertices, double spacing) {
+    PointCloud cloud{mesh.positions,
+                     {},
+                     std::vector<double>(mesh.size()),
+                     spacing,
                      mesh.size() + mesh.triangles.size() + kMostPoints};
+    for (const CornerNormals::AtVertex& vertex : vertices)
+        cloud.normals.push_back(vertex.normal);
     for (std::uint32_t t = 0; t < mesh.triangles.size() && !cloud.is_full(); ++t) {
         const auto [a, b, c] = mesh.triangles[t];
         cloud.add_triangle(
             {mesh.positions[a], mesh.positions[b], mesh.positions[c]},
             {corners.normal(3 * t), corners.normal(3 * t + 1), corners.normal(3 * t + 2)});
     }
-    return cloud.is_full() ? point_cloud(mesh, corners, normals, 2 * spacing) : cloud;
+    if (cloud.is_full()) return point_cloud(mesh, corners, vertices, 2 * spacing);
+    return cloud;
 }
 
 }  // namespace
 
-std::vector<Vector3d> designed_laplacian(const PreparedMesh& mesh,
-                                         const std::vector<Vector3d>& normals, double kernel_size,
+std::vector<Vector3d> designed_laplacian(const PreparedMesh& mesh, double kernel_size,
                                          const ShapeOperators& shape_operators,
                                          const PrecomputeOptions& options,
                                          const StageProgress& stage) {
     const CornerTable sides(mesh.triangles, mesh.size());
     const CornerNormals corners(mesh, sides, flat_faces(mesh, sides));
-    const std::vector<CornerNormals::AtVertex> vertices = corners.at_vertices(mesh);
-    std::vector<Vector3d> known = normals;
-    for (std::size_t v = 0; v < known.size(); ++v)
-        if (!vertices[v].normal.isZero()) known[v] = vertices[v].normal;
-    PointCloud cloud = point_cloud(mesh, corners, known, kSpacing * kernel_size);
-
+    const std::vector<CornerNormals::AtVertex> vertices = corners.at_vertices();
+    PointCloud cloud = point_cloud(mesh, corners, vertices, kSpacing * kernel_size);
     PreparedMesh points;
     points.positions.swap(cloud.positions);
     points.original_vertex.resize(points.size());

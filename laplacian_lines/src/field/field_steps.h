@@ -81,11 +81,10 @@ std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const Sp
                                               const StageProgress& stage);
 
 /// Likewise of an Origin::Design: its sum is over points all over the triangles, however large
-/// these are, instead of over the vertices. At sharp edges it is the part along the normal of a
+/// these are, instead of over the vertices. Normals are CornerNormals, not smoothed and not those
+/// that the mesh brings along. At sharp edges it is the part along the normal of a
 /// curved surface that ends there, or 0: what is across the edge is another surface's.
-std::vector<Eigen::Vector3d> designed_laplacian(const PreparedMesh& mesh,
-                                                const std::vector<Eigen::Vector3d>& normals,
-                                                double kernel_size,
+std::vector<Eigen::Vector3d> designed_laplacian(const PreparedMesh& mesh, double kernel_size,
                                                 const ShapeOperators& shape_operators,
                                                 const PrecomputeOptions& options,
                                                 const StageProgress& stage);

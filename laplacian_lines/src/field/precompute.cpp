@@ -96,8 +96,7 @@ std::vector<Eigen::Vector3d> laplacian_of_normals(const PreparedMesh& mesh, cons
     if (options.laplace_operator == LaplaceOperator::Cotangent)
         return cotangent_laplacian(mesh, local.normals);
     if (mesh.origin == Origin::Design)
-        return designed_laplacian(mesh, local.normals, local.kernel_size, local.shape_operators,
-                                  options, stage);
+        return designed_laplacian(mesh, local.kernel_size, local.shape_operators, options, stage);
     return belkin_laplacian(mesh, tree, local.normals, local.kernel_size, local.shape_operators,
                             options, stage);
 }

@@ -24,10 +24,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Mean edge, in D: sums over vertices are those over the surface if the least automatic kernel,
-// .0045 D, is 1.4 of them.
-constexpr double kCoarseEdge = 0.0032;
-constexpr int kMostCuts = 2;  // more would not change kernels
+constexpr double kKernelEdges = 1.4;  // of √h: sums over vertices are those over the surface
+constexpr int kMostCuts = 2;          // √h, .6 of the edges before, then is 2.4 of those after
 // Forms of so few triangles are polyhedra by design; so many, once cut, take too long.
 constexpr std::size_t kLeastTriangles = 1000, kMostTriangles = 1000000;
 // Sine of the angle between an edge and the plane of an end's normal from which it stays straight
@@ -45,7 +43,8 @@ bool is_coarse(const TriangleMesh& mesh) {
     const std::size_t count = mesh.triangles.size();
     if (count < kLeastTriangles || 4 * count > kMostTriangles) return false;
     const double diagonal = bounding_box(mesh.positions, mesh.triangles).diagonal().norm();
-    return mean_edge(mesh.positions, mesh.triangles) > kCoarseEdge * diagonal;
+    return kKernelEdges * mean_edge(mesh.positions, mesh.triangles) >
+           automatic_kernel_size(0, diagonal);
 }
 
 /// Whether the surface between the vertices may be curved: edges and steps of the form are not.
@@ -92,6 +91,8 @@ public:
     }
 
     const TriangleMesh& mesh() const { return mesh_; }
+    /// Without the normals of vertices whose surface is known well: those of the finer triangles
+    /// are nearer to it.
     TriangleMesh take_mesh() {
         for (std::size_t v = 0; v < is_guessed_.size(); ++v)
             if (!is_guessed_[v]) mesh_.normals[v].setZero();

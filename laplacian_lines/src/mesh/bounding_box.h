@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -30,6 +31,13 @@ inline Eigen::AlignedBox3d bounding_box(const std::vector<Eigen::Vector3d>& posi
     return bounding_box(3 * triangles.size(), [&](std::size_t corner) -> const Eigen::Vector3d& {
         return positions[triangles[corner / 3][corner % 3]];
     });
+}
+
+/// The largest absolute one of the corners.
+inline double largest_coordinate(const std::vector<Eigen::Vector3d>& positions,
+                                 const std::vector<Triangle>& triangles) {
+    const Eigen::AlignedBox3d box = bounding_box(positions, triangles);
+    return std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
 }
 
 }  // namespace laplacian_lines

@@ -325,7 +325,7 @@ Nearness nearness_of(const std::vector<Vector3d>& positions,
 
 std::vector<std::uint32_t> make_conforming(const std::vector<Vector3d>& positions,
                                            const Nearness& near, std::vector<Triangle>& triangles) {
-    std::vector<std::uint32_t> place_of = first_equal_positions(positions);
+    std::vector<std::uint32_t> place_of = first_equal_positions(positions, triangles);
     std::optional<Borders> borders(std::in_place, positions, near,
                                    with_places(triangles, place_of));
     if (join_places(*borders, place_of))

@@ -22,9 +22,10 @@ std::vector<std::uint32_t> groups(const std::vector<Triangle>& triangles, const 
                                   const FlatFaces& faces) {
     DisjointSets sets(3 * triangles.size());
     for (std::uint32_t side = 0; side < sides.side_count(); ++side) {
-        if (!sides.has_neighbour(side)) continue;
+        if (!sides.has_neighbour(side) || sides.across(side) < side) continue;
         const std::uint32_t other = sides.across(side);
         if (faces.normals[side / 3].dot(faces.normals[other / 3]) <= kSharpCosine) continue;
+        // of triangles that disagree about the outside, or of a fold that lies on itself
         const bool runs_along = begin_of(triangles, side) == begin_of(triangles, other);
         sets.unite(side, runs_along ? other : next_side(other));
         sets.unite(next_side(side), runs_along ? next_side(other) : other);
@@ -36,7 +37,9 @@ std::vector<std::uint32_t> groups(const std::vector<Triangle>& triangles, const 
 
 CornerNormals::CornerNormals(const PreparedMesh& mesh, const CornerTable& sides,
                              const FlatFaces& faces)
-    : group_of_(groups(mesh.triangles, sides, faces)), sums_(group_of_.size(), Vector3d::Zero()) {
+    : mesh_(mesh),
+      group_of_(groups(mesh.triangles, sides, faces)),
+      sums_(group_of_.size(), Vector3d::Zero()) {
     for (std::uint32_t corner = 0; corner < sums_.size(); ++corner) {
         const std::uint32_t t = corner / 3;
         const Vector3d &p = mesh.positions[begin_of(mesh.triangles, corner)],
@@ -50,22 +53,22 @@ CornerNormals::CornerNormals(const PreparedMesh& mesh, const CornerTable& sides,
         if (normal(corner).dot(faces.normals[corner / 3]) < kBentCosine) is_bent_[corner] = 1;
 }
 
-std::vector<CornerNormals::AtVertex> CornerNormals::at_vertices(const PreparedMesh& mesh) const {
-    std::vector<AtVertex> result(mesh.size());
-    std::vector<std::uint32_t> groups(mesh.size());
-    std::vector<double> largest(mesh.size());
+std::vector<CornerNormals::AtVertex> CornerNormals::at_vertices() const {
+    std::vector<AtVertex> result(mesh_.size());
+    std::vector<std::uint32_t> group_count(mesh_.size());
+    std::vector<double> largest(mesh_.size());
     for (std::uint32_t corner = 0; corner < group_of_.size(); ++corner) {
-        const std::uint32_t v = begin_of(mesh.triangles, corner), group = group_of_[corner];
-        if (group == corner) ++groups[v];
+        const std::uint32_t v = begin_of(mesh_.triangles, corner), group = group_of_[corner];
+        if (group == corner) ++group_count[v];
         if (is_bent_[corner] && sums_[group].norm() > largest[v]) {
             largest[v] = sums_[group].norm();
             result[v].normal = normal(corner);
         }
     }
     for (std::uint32_t corner = 0; corner < group_of_.size(); ++corner) {
-        AtVertex& at = result[begin_of(mesh.triangles, corner)];
-        at.is_sharp = groups[begin_of(mesh.triangles, corner)] > 1;
-        if (!at.is_sharp) at.normal = normal(corner);
+        const std::uint32_t v = begin_of(mesh_.triangles, corner);
+        result[v].is_sharp = group_count[v] > 1;
+        if (!result[v].is_sharp) result[v].normal = normal(corner);
     }
     return result;
 }

@@ -16,6 +16,7 @@ namespace laplacian_lines {
 /// are flat up to the fillets beside them.
 class CornerNormals {
 public:
+    /// Keeps a reference to the mesh.
     CornerNormals(const PreparedMesh& mesh, const CornerTable& sides, const FlatFaces& faces);
 
     Eigen::Vector3d normal(std::uint32_t corner) const {
@@ -30,9 +31,10 @@ public:
         Eigen::Vector3d normal = Eigen::Vector3d::Zero();
         bool is_sharp = false;  ///< not all of its corners have one normal
     };
-    std::vector<AtVertex> at_vertices(const PreparedMesh& mesh) const;
+    std::vector<AtVertex> at_vertices() const;
 
 private:
+    const PreparedMesh& mesh_;
     std::vector<std::uint32_t> group_of_;  // corners of a vertex that have one normal
     std::vector<Eigen::Vector3d> sums_;    // by group, which is its first corner
     std::vector<std::uint8_t> is_bent_;    // by corner

@@ -2,33 +2,25 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <vector>
 
+#include "mesh/bounding_box.h"
 #include "system/equal_elements.h"
 
 namespace laplacian_lines {
 
-/// Share of the largest coordinate below which a number is a rounded 0, as CAD programs leave them
-/// where faces meet.
+/// Share of the largest coordinate below which a number is a rounded 0: 128 roundings of doubles.
+/// CAD programs leave 1e-15 where faces meet.
 constexpr double kZeroShare = 0x1p-46;
 
-/// For each position the first equal one; non-finite ones equal only themselves.
+/// For each position the first equal one; non-finite ones equal only themselves. Zero is told by
+/// the vertices that the triangles use: others may be anywhere.
 inline std::vector<std::uint32_t> first_equal_positions(
-    const std::vector<Eigen::Vector3d>& positions) {
-    const auto largest_of = [&](std::size_t begin, std::size_t end) {
-        double largest = 0;
-        for (std::size_t v = begin; v < end; ++v)
-            if (positions[v].allFinite())
-                largest = std::max(largest, positions[v].cwiseAbs().maxCoeff());
-        return largest;
-    };
-    const double largest = join_blocks(positions.size(), 0., largest_of,
-                                       [](double a, double b) { return std::max(a, b); });
-    const double least = kZeroShare * largest;
+    const std::vector<Eigen::Vector3d>& positions, const std::vector<Triangle>& triangles) {
+    const double least = kZeroShare * largest_coordinate(positions, triangles);
     const auto rounded = [=](double x) { return std::abs(x) <= least ? 0.0 : x; };
     const auto hash_of = [&](std::uint32_t v) {
         if (!positions[v].allFinite()) return mix_hash(0, v);

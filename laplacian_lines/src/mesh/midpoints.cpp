@@ -25,11 +25,6 @@ constexpr double kLongestEdge = 0.025;  // of the mean edge before a subdivision
 
 using Positions = std::vector<Eigen::Vector3d>;
 
-double largest_coordinate(const Positions& positions, const std::vector<Triangle>& triangles) {
-    const Eigen::AlignedBox3d box = bounding_box(positions, triangles);
-    return std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-}
-
 /// A large triangle and its quarters: side k of the inner one is shared with quarter k, at corner
 /// k.
 struct Cut {
@@ -191,7 +186,7 @@ bool undo_subdivision(const Positions& positions, std::vector<Triangle>& triangl
 void undo_subdivisions(TriangleMesh& mesh) {
     if (mesh.triangles.size() % 4 != 0) return;
     std::vector<Triangle> triangles =
-        with_places(mesh.triangles, first_equal_positions(mesh.positions));
+        with_places(mesh.triangles, first_equal_positions(mesh.positions, mesh.triangles));
     const auto is_degenerate = [](const Triangle& t) {
         return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
     };

@@ -7,7 +7,6 @@
 #include "mesh/corner_table.h"
 #include "mesh/flat_faces.h"
 #include "mesh/prepared_mesh.h"
-#include "system/large_array.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
@@ -20,7 +19,8 @@ constexpr double kLongSide = 3, kMostUneven = 0.4;
 // the area, decimated to a quarter .64; of three CAD meshes with terraces by mistake .04, .05, .71.
 constexpr int kDirections = 13;
 constexpr double kLeastOfVoxels = 0.5, kSameDirection = 0.9994;  // cosine of 2°
-// Seventy parts of others have .71 and more, spheres and tori of even quadrilaterals none.
+// Share of the area in triangles longer than the kernel, from which a mesh is a Design: seventy CAD
+// parts have .71 and more, spheres and tori of even quadrilaterals none.
 constexpr double kCoarseShare = 0.5;
 
 /// Of the area, that of some triangles.
@@ -32,21 +32,6 @@ double area_share(const PreparedMesh& mesh, IsCounted is_counted) {
            sum_of(count, area);
 }
 
-/// FlatFaces::share.
-double flat_share(const PreparedMesh& mesh, const CornerTable& sides) {
-    std::vector<Eigen::Vector3d> normals = large_array<Eigen::Vector3d>(mesh.triangles.size());
-    for_each_element(normals.size(), [&](std::size_t t) {
-        normals[t] = area_vector(mesh, mesh.triangles[t]).stableNormalized();
-    });
-    return area_share(mesh, [&](std::size_t t) {
-        for (auto side = std::uint32_t(3 * t); side < 3 * t + 3; ++side)
-            if (sides.has_neighbour(side) &&
-                normals[sides.across(side) / 3].dot(normals[t]) >= kFlatCosine)
-                return true;
-        return false;
-    });
-}
-
 double share_of_long(const PreparedMesh& mesh, double length) {
     return area_share(mesh, [&](std::size_t t) {
         return longest_squared(mesh.positions, mesh.triangles[t]) > length * length;
@@ -55,6 +40,7 @@ double share_of_long(const PreparedMesh& mesh, double length) {
 
 /// Whether flat faces are those of voxels, also of turned and decimated volumes.
 bool are_of_voxels(const FlatFaces& flat) {
+    if (flat.are_large()) return false;
     std::vector<std::uint32_t> rest;
     for (std::uint32_t t = 0; t < flat.face_of.size(); ++t)
         if (flat.face_of[t] == t) rest.push_back(t);
@@ -72,14 +58,14 @@ bool are_of_voxels(const FlatFaces& flat) {
             found += flat.areas[*f];
         rest.erase(rest.begin(), others);
     }
-    return found > kLeastOfVoxels * all && !flat.are_large();
+    return found > kLeastOfVoxels * all;
 }
 
 }  // namespace
 
 Origin origin_of(PreparedMesh& mesh) {
     const CornerTable& sides = sides_of(mesh);
-    if (flat_share(mesh, sides) <= kCadShare) return Origin::Scan;
+    if (flat_faces(mesh, sides).share <= kCadShare) return Origin::Scan;
     if (share_of_long(mesh, kLongSide * mesh.mean_edge) < kMostUneven &&
         are_of_voxels(flat_faces(mesh, sides)))
         return Origin::Voxels;

@@ -21,8 +21,7 @@ void check_ranges(const std::vector<OptionRow<Options>>& table, const Options& o
     for (const auto& option : table) {
         const double value = option.get(options);
         if (value >= option.minimum && value <= option.maximum) continue;
-        refuse_value('"' + std::string(option.label) + '"', in_words(value),
-                     allowed_values(option));
+        refuse_value(option, in_words(value));
     }
 }
 
@@ -57,6 +56,11 @@ std::string allowed_values(const OptionDescription& option) {
 
 void refuse_value(const std::string& what, const std::string& value, const std::string& allowed) {
     refuse(what + " is " + value + ". It has to be " + allowed + ".");
+}
+
+void refuse_value(const OptionDescription& option, const std::string& value,
+                  const std::string& remark) {
+    refuse_value('"' + std::string(option.label) + '"', value, allowed_values(option) + remark);
 }
 
 void validate(const PrecomputeOptions& options) {

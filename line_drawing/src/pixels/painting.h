@@ -6,7 +6,7 @@
 
 namespace line_drawing {
 
-/// The upper left part of a sheet. @throws std::bad_alloc
+/// The upper left `size` pixels of a sheet. @throws std::bad_alloc
 Canvas paint_groups(const std::vector<SheetGroup>& groups, const Eigen::Vector2i& size,
                     double pixels_per_mm);
 

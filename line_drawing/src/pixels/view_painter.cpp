@@ -64,12 +64,13 @@ std::vector<std::uint8_t> paint_ink(const DrawnView& drawn, const Placement& pla
                                     const SheetOptions& options, const WindowView& window,
                                     bool is_hidden, const Progress& progress) {
     report(progress, 1, "Drawing");
-    SheetGroup group = draw_view(drawn, 1, placement, options);
-    for (SheetLayer& layer : group.layers)
+    std::vector<SheetGroup> groups;
+    groups.push_back(draw_view(drawn, 1, placement, options));
+    for (SheetLayer& layer : groups.front().layers)
         for (SheetPath& path : layer.paths)
             if (is_hidden) path.dash = 0;
     report(progress, 1, "Painting");
-    return paint_groups({std::move(group)}, window.size, window.pixels_per_mm).grays();
+    return paint_groups(groups, window.size, window.pixels_per_mm).grays();
 }
 
 }  // namespace

@@ -141,7 +141,7 @@ int choose_sections_in_a_row(const std::vector<DrawnView>& views, const SheetOpt
     };
     int best = 0;
     double best_scale = least_gain * scale_of(0);
-    for (int in_a_row = 1; in_a_row < int(options.sections.size()); ++in_a_row) {
+    for (int in_a_row = 1; in_a_row <= int(options.sections.size()); ++in_a_row) {
         const double scale = scale_of(in_a_row);
         if (best == 0 ? scale > 0 && scale >= best_scale : scale > best_scale)
             best = in_a_row, best_scale = scale;

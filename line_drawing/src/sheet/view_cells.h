@@ -13,10 +13,10 @@ struct Cell {
 };
 
 /// The cells of views, each its own. The sides of an object are around the front view, in the
-/// options' angle of projection, other views of no side in rows below. Sections, and views of a
-/// side that another one shows already, are at the end of the front view's row, or of its column if
-/// they look from above or below. If `sections_in_a_row` is not 0, sections are in rows of so many
-/// at the bottom instead.
+/// options' angle of projection, views of no side (by azimuth and elevation) in rows below.
+/// Sections, and views of a side that another one shows already, are at the end of the front view's
+/// row, or of its column if they look from above or below. If `sections_in_a_row` is not 0,
+/// sections are in rows of so many at the bottom instead.
 std::vector<Cell> cells_of(const std::vector<DrawnView>& views, const SheetOptions& options,
                            int sections_in_a_row);
 
