@@ -178,6 +178,28 @@ TEST(Ridges, FadeBesideContours) {
     }
 }
 
+/// A sharp edge inside, near the rounded one outside.
+TEST(Ridges, StayWhereACreaseIsBehindTheirWall) {
+    TriangleMesh box = rounded_cube();
+    test_meshes::append(
+        box, test_meshes::inside_out(test_meshes::moved(test_meshes::cube(20), {0, 0, 0}, 0.94)));
+    const LineExtractor extractor(box, precompute(box));
+    LineStyle style = only_ridges();
+    const auto clear_ridge = [&] {
+        const LineSet set = helpers::extract(extractor, kView, style);
+        std::size_t clear = 0;
+        for (const Polyline& line : set.lines)
+            for (std::uint32_t i = line.first; i < line.first + line.count; ++i)
+                clear += line.kind == LineKind::Ridge && edge_of(set.points[i].position) >= 0 &&
+                         set.points[i].opacity > 0.5f;
+        return clear;
+    };
+    const std::size_t alone = clear_ridge();
+    style.shows[LineKind::Crease] = true;
+    EXPECT_GT(double(clear_ridge()), 0.98 * double(alone));
+    EXPECT_GT(alone, 100u);
+}
+
 /// A plate with a wavy groove at y = 0.1 sin 3x.
 TriangleMesh groove() {
     return test_meshes::grid_mesh({160, 160}, [](double u, double v) {

@@ -26,7 +26,7 @@ class StrongLines {
 public:
     explicit StrongLines(ZeroLines found);
 
-    const LineSet& lines() const { return found_.lines; }
+    const ZeroLines& all() const { return found_; }
 
     /// Appends what the rules show. `left_out`: by point, if not null.
     void append(const ExtractorData& data, const LocalEye& eye, const StrongLineRules& rules,
