@@ -61,7 +61,7 @@ void take_from_decoration(SheetOptions& options) {
 DrawingParameters drawing_defaults(const MeshModel* mesh, bool has_window) {
     DrawingParameters result;
     if (has_window) result.views = kWindowView;
-    if (has_window && mesh) result.unit = likely_unit(diagonal_of(*mesh));
+    if (has_window && mesh) result.unit = line_drawing::likely_unit(diagonal_of(*mesh));
     if (mesh && !mesh->fullName().isEmpty()) {
         const QFileInfo file(mesh->fullName());
         result.file = file.dir().filePath(file.completeBaseName() + "_drawing.svg").toStdString();

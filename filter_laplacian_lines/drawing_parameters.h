@@ -11,14 +11,6 @@
 /// The user's choices; the filter has a part of line_drawing::sheet_option_table().
 using DrawingParameters = line_drawing::SheetChoices;
 
-/// The likely unit of a mesh with this diagonal. Scanners write mm, and few objects are smaller
-/// than 10 mm; photogrammetry and phones write m, and few are larger than 10 m. cm and inches
-/// cannot be recognized.
-constexpr int likely_unit(double diagonal) {
-    constexpr int millimetre = 0, metre = 2;
-    return diagonal < 10 ? metre : millimetre;
-}
-
 /// The file is beside the mesh's; with a window its view and the likely unit. Scripts have the same
 /// everywhere.
 DrawingParameters drawing_defaults(const MeshModel* mesh, bool has_window);

@@ -19,7 +19,9 @@ constexpr std::string_view kOtherStatements[] = {
 
 class ObjReader {
 public:
-    ObjReader(Text& text, MeshBuilder& mesh) : text_(text), mesh_(mesh) {}
+    /// `ends_in_line`: the last line has no ending.
+    ObjReader(Text& text, bool ends_in_line, MeshBuilder& mesh)
+        : text_(text), ends_in_line_(ends_in_line), mesh_(mesh) {}
 
     std::string read() {
         for (std::string_view line; next(line);) {
@@ -50,7 +52,7 @@ private:
         do {
             joined_.append(line.substr(0, line.size() - 1));
             joined_ += ' ';
-            if (!text_.next_line(line)) throw Defect{"it ends in the middle of a line"};
+            if (!text_.next_line(line)) throw_cut_off();
         } while (goes_on(line));
         joined_.append(line);
         line = joined_;
@@ -58,8 +60,10 @@ private:
     }
     static bool goes_on(std::string_view line) { return !line.empty() && line.back() == '\\'; }
 
+    [[noreturn]] static void throw_cut_off() { throw Defect{"it ends in the middle of a line"}; }
+
     static bool is_other(std::string_view statement) {
-        if (statement.empty() || statement[0] == '#') return true;
+        if (statement.empty() || statement[0] == '#' || statement[0] == '\0') return true;
         return std::find(std::begin(kOtherStatements), std::end(kOtherStatements), statement) !=
                std::end(kOtherStatements);
     }
@@ -92,6 +96,7 @@ private:
                              std::to_string(mesh_.vertex_count())};
             corners_.push_back(vertex);
         }
+        if (corners_.size() < 3 && ends_in_line_ && text_.rest().empty()) throw_cut_off();
         const auto last = std::max_element(corners_.begin(), corners_.end());
         if (corners_.size() >= 3 && *last >= std::int64_t(mesh_.vertex_count()))
             ahead_.push_back({*last, text_.line()});
@@ -105,6 +110,7 @@ private:
     };
 
     Text& text_;
+    const bool ends_in_line_;
     MeshBuilder& mesh_;
     std::string joined_;
     std::vector<std::int64_t> corners_;
@@ -117,7 +123,8 @@ private:
 
 std::string read_obj(std::string_view bytes, MeshBuilder& mesh) {
     Text text(bytes);
-    return read_lines(text, [&] { return ObjReader(text, mesh).read(); });
+    const bool ends_in_line = !bytes.empty() && bytes.back() != '\n' && bytes.back() != '\r';
+    return read_lines(text, [&] { return ObjReader(text, ends_in_line, mesh).read(); });
 }
 
 }  // namespace mesh_files

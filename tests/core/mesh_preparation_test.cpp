@@ -204,6 +204,17 @@ TEST(Stitching, PassesOverVerticesThatAreNotNumbers) {
     EXPECT_EQ(welded(mesh), 0u);
 }
 
+/// As programs write that have a mesh selected twice; with vertices shared or not.
+TEST(Stitching, TakesCopiesOfTrianglesOnce) {
+    const TriangleMesh mesh = mesh_named("torus_jittered").mesh;
+    TriangleMesh twice = mesh;
+    twice.triangles.insert(twice.triangles.end(), mesh.triangles.begin(), mesh.triangles.end());
+    for (const TriangleMesh& doubled : {twice, cut_apart(twice)}) {
+        EXPECT_EQ(conforming_triangles(doubled).size(), mesh.triangles.size());
+        EXPECT_EQ(precompute(doubled).report.border_share, 0);
+    }
+}
+
 /// As files without data at some places have them.
 TEST(Stitching, PassesOverVerticesFarOff) {
     TriangleMesh mesh = cut_apart(mesh_named("half_torus").mesh);

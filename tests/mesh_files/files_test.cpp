@@ -133,6 +133,8 @@ TEST(DamagedFiles, SayWhatAndWhere) {
         return read_mesh(format, bytes).defect;
     };
     EXPECT_EQ(defect(Format::Obj, "v 0 0 0\n\nv 1 x 0\n"), "line 3: \"x\" is not a number");
+    EXPECT_EQ(defect(Format::Obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2"),
+              "line 5: it ends in the middle of a line");
     EXPECT_EQ(defect(Format::Obj, "v 0 0\n"), "line 1: a vertex has 2 of three coordinates");
     EXPECT_EQ(defect(Format::Obj, "v 0 0 0\nf 1 1 2\n\n"), "line 2: a face names vertex 2 of 1");
     EXPECT_EQ(defect(Format::Off, "OFF\n1 1 0\n0 0 0\n3 0 0 1\n"),

@@ -123,7 +123,7 @@ TEST(DrawingParameters, TakeTheKindsOfMixtures) {
 
 TEST(DrawingUnits, AreThoseThatScansUsuallyHave) {
     const auto unit = [](double diagonal) {
-        return std::string(line_drawing::kMeshUnits[likely_unit(diagonal)].name);
+        return std::string(line_drawing::kMeshUnits[line_drawing::likely_unit(diagonal)].name);
     };
     EXPECT_EQ(unit(0.05), "m");  // a coin of photogrammetry
     EXPECT_EQ(unit(6), "m");     // a trench

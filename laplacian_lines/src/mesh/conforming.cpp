@@ -262,6 +262,26 @@ bool are_on_each_other(const std::vector<Vector3d>& positions,
     return across(a).dot(across(b)) > kLeastCosine;
 }
 
+/// Drops triangles that are at the places of an earlier one and face the same way.
+void drop_copies(const std::vector<std::uint32_t>& place_of, std::vector<Triangle>& triangles) {
+    std::vector<Triangle> at_places = with_places(triangles, place_of);
+    for_each_element(at_places.size(), [&](std::size_t i) {
+        Triangle& t = at_places[i];
+        std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    });
+    const std::vector<std::uint32_t> first = first_equals(
+        at_places.size(),
+        [&](std::uint32_t t) {
+            const auto [a, b, c] = at_places[t];
+            return mix_hash(mix_hash(a, b), c);
+        },
+        [&](std::uint32_t t, std::uint32_t other) { return at_places[t] == at_places[other]; });
+    std::size_t kept = 0;
+    for (std::uint32_t t = 0; t < first.size(); ++t)
+        if (first[t] == t) triangles[kept++] = triangles[t];
+    triangles.resize(kept);
+}
+
 }  // namespace
 
 std::vector<Triangle> with_places(std::vector<Triangle> triangles,
@@ -326,6 +346,7 @@ Nearness nearness_of(const std::vector<Vector3d>& positions,
 std::vector<std::uint32_t> make_conforming(const std::vector<Vector3d>& positions,
                                            const Nearness& near, std::vector<Triangle>& triangles) {
     std::vector<std::uint32_t> place_of = first_equal_positions(positions, triangles);
+    drop_copies(place_of, triangles);
     std::optional<Borders> borders(std::in_place, positions, near,
                                    with_places(triangles, place_of));
     if (join_places(*borders, place_of))

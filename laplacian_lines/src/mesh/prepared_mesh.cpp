@@ -36,6 +36,7 @@ constexpr double kLeastDiagonal = 1e-15, kLargestDiagonal = 1e15;
 // Of the mean edge: coarser coordinates bend smooth surfaces by some degrees at every edge.
 constexpr double kCoarseStep = 0.1;
 constexpr std::size_t kFewTriangles = 1000;  // coordinates of so few may be round by design
+constexpr std::size_t kMostPerVertex = 3;    // closed surfaces have two triangles a vertex
 // In steps: if no triangle is larger, the form consists of voxels or hexahedra.
 constexpr double kCell = 2.5;
 
@@ -227,7 +228,8 @@ PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, Facing facing
     prepared.triangles = usable_triangles(mesh.positions, mesh.triangles);
     expect_surface(prepared.triangles);
     prepared.report.degenerate_triangles = mesh.triangles.size() - prepared.triangles.size();
-    if (!is_closed(prepared.triangles)) {
+    const bool may_be_doubled = prepared.triangles.size() > kMostPerVertex * mesh.positions.size();
+    if (may_be_doubled || !is_closed(prepared.triangles)) {
         const std::vector<std::uint32_t> place_of = make_conforming(
             mesh.positions, nearness_of(mesh.positions, prepared.triangles), prepared.triangles);
         if (cuts == Cuts::Stitched) stitch(mesh, place_of, prepared);
