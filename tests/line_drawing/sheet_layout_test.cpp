@@ -79,6 +79,19 @@ TEST(SheetLayout, ManyViewsStandInRows) {
     }
 }
 
+/// A column of upright bars, or a row of lying ones, would be half as large.
+TEST(SheetLayout, ViewsOfNoSideAreBesideTallObjects) {
+    for (const bool upright : {true, false}) {
+        TriangleMesh bar = box();
+        for (Eigen::Vector3d& p : bar.positions)
+            p = p.cwiseProduct(upright ? Eigen::Vector3d(1, 1, 8) : Eigen::Vector3d(4, 1, 1));
+        const Sheet sheet = sheet_helpers::sheet_of(bar, fitting("front,30,25"));
+        const QRectF front = extent_of(sheet.groups[0]), other = extent_of(sheet.groups[1]);
+        EXPECT_EQ(other.left() > front.right(), upright);
+        EXPECT_EQ(other.top() > front.bottom(), !upright);
+    }
+}
+
 TEST(SheetLayout, TheOnlySectionIsBelowIfItHasNoPlaceBeside) {
     TriangleMesh bar = box();
     for (Eigen::Vector3d& p : bar.positions)

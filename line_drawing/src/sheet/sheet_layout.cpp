@@ -61,8 +61,8 @@ bool are_in_perspective(const std::vector<DrawnView>& views) {
 class Layout {
 public:
     Layout(const std::vector<DrawnView>& views, const SheetOptions& options,
-           int sections_in_a_row = 0)
-        : options_(options), cells_(cells_of(views, options, sections_in_a_row)) {
+           const CellChoice& choice)
+        : options_(options), cells_(cells_of(views, options, choice)) {
         for (std::size_t i = 0; i < views.size(); ++i) {
             const auto& box = views[i].bounds;
             const Vector2d room = room_of_marks(views[i]);
@@ -130,21 +130,22 @@ double possible_scale(Layout& layout, const SheetOptions& options, const Vector2
     return largest;
 }
 
-/// How many sections share a row below the views. 0: they are beside the front view, aligned with
-/// it, unless rows double the scale, or nothing else fits.
-int choose_sections_in_a_row(const std::vector<DrawnView>& views, const SheetOptions& options,
-                             const Vector2d& paper) {
+/// Views of no side are below the others, unless beside them the scale is larger. Sections are
+/// beside the front view, aligned with it, unless rows double the scale. Or else nothing fits.
+CellChoice choose_cells(const std::vector<DrawnView>& views, const SheetOptions& options,
+                        const Vector2d& paper) {
     constexpr double least_gain = 2;
-    const auto scale_of = [&](int in_a_row) {
-        Layout layout(views, options, in_a_row);
+    const auto scale_of = [&](const CellChoice& choice) {
+        Layout layout(views, options, choice);
         return possible_scale(layout, options, paper);
     };
-    int best = 0;
-    double best_scale = least_gain * scale_of(0);
+    CellChoice best;
+    best.others_beside = scale_of({true, 0}) > scale_of({false, 0});
+    double best_scale = least_gain * scale_of(best);
     for (int in_a_row = 1; in_a_row <= int(options.sections.size()); ++in_a_row) {
-        const double scale = scale_of(in_a_row);
-        if (best == 0 ? scale > 0 && scale >= best_scale : scale > best_scale)
-            best = in_a_row, best_scale = scale;
+        const double scale = scale_of({best.others_beside, in_a_row});
+        if (best.sections_in_a_row == 0 ? scale > 0 && scale >= best_scale : scale > best_scale)
+            best.sections_in_a_row = in_a_row, best_scale = scale;
     }
     return best;
 }
@@ -216,7 +217,7 @@ SheetLayout lay_out_at(Layout& layout, double scale, const Vector2d& upright,
 
 SheetLayout lay_out(const std::vector<DrawnView>& views, const SheetOptions& options) {
     const std::optional<Vector2d> paper = paper_size(options.paper);
-    Layout layout(views, options, paper ? choose_sections_in_a_row(views, options, *paper) : 0);
+    Layout layout(views, options, paper ? choose_cells(views, options, *paper) : CellChoice());
     if (are_in_perspective(views)) return lay_out_filling(layout, paper);
     if (!paper) return lay_out_freely(layout, options.scale > 0 ? options.scale : 1);
     if (options.scale > 0) return lay_out_at(layout, options.scale, *paper, options.paper);

@@ -8,7 +8,7 @@
 namespace line_drawing {
 namespace {
 
-constexpr int kOthersInARow = 4;
+constexpr int kOthersInARow = 4;  // as many as six views have columns
 
 /// Around the front view, in first angle.
 Cell cell_of(Side side) {
@@ -35,14 +35,15 @@ Cell cell_of(Side side, Arrangement arrangement) {
     return is_swapped ? Cell{-cell.row, -cell.column} : cell;
 }
 
-/// Views of no side, in rows from the second below the front view on.
-void place_others(const std::vector<DrawnView>& views, std::vector<Cell>& cells) {
-    int left = 0, others = 0;
+/// Views of no side, at the end of the front view's row, or in rows from the second below it on.
+void place_others(const std::vector<DrawnView>& views, bool beside, std::vector<Cell>& cells) {
+    int left = 0, right = 0, others = 0;
     for (const Cell& cell : cells)
-        left = std::min(left, cell.column);
+        left = std::min(left, cell.column), right = std::max(right, cell.column);
     for (std::size_t i = 0; i < views.size(); ++i) {
         if (views[i].frame.side != Side::Other || views[i].is_section) continue;
-        cells[i] = {2 + others / kOthersInARow, left + others % kOthersInARow};
+        cells[i] = beside ? Cell{0, right + 1 + others}
+                          : Cell{2 + others / kOthersInARow, left + others % kOthersInARow};
         ++others;
     }
 }
@@ -84,13 +85,13 @@ void place_in_rows(const std::vector<DrawnView>& views, int in_a_row, std::vecto
 }  // namespace
 
 std::vector<Cell> cells_of(const std::vector<DrawnView>& views, const SheetOptions& options,
-                           int sections_in_a_row) {
+                           const CellChoice& choice) {
     std::vector<Cell> cells;
     for (const DrawnView& view : views)
         cells.push_back(cell_of(view.frame.side, options.arrangement));
-    place_others(views, cells);
+    place_others(views, choice.others_beside, cells);
     place_beside_the_front(views, options.up, cells);
-    if (sections_in_a_row > 0) place_in_rows(views, sections_in_a_row, cells);
+    if (choice.sections_in_a_row > 0) place_in_rows(views, choice.sections_in_a_row, cells);
     return cells;
 }
 
