@@ -78,9 +78,10 @@ std::vector<Sheet> draw_into(const std::string& file, const std::vector<ReadMesh
     std::vector<Sheet> sheets = line_drawing::make_sheets(objects, options);
     sheets[0].provenance = line_drawing::provenance_text(sources_of(meshes), commands.words);
     line_drawing::write_atomically(file, write_sheet(sheets[0], file, commands.choices.dpi));
+    const std::string name = commands.is_collection ? meshes.front().file + ": " : "";
     for (const auto& all : {remarks, sheets[0].remarks})
-        for (const std::string& remark : all)
-            say(stderr, (commands.is_collection ? meshes.front().file + ": " : "") + remark);
+        for (const std::string& remark : all)  // those of an object begin with its name
+            say(stderr, (remark.compare(0, name.size(), name) == 0 ? "" : name) + remark);
     return sheets;
 }
 

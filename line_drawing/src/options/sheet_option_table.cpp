@@ -114,7 +114,7 @@ std::vector<SheetOption> make_table() {
              "NAMES", Place::Command),
         text(&S::kernel, "kernel", "Kernel on Paper",
              "Detail of inner lines: a length on paper, or a share of the object's diagonal; "
-             "auto: four pens of inner lines.",
+             "auto: four pens of inner lines. Notes on the sheet have it as √h.",
              "auto|1mm|0.9%", Place::Command),
         text(&S::smoothing, "smoothing", "Smoothing on Paper",
              "Of the surface before lines are found, likewise.", "auto|0.3mm|0.2%", Place::Command),
