@@ -7,13 +7,12 @@
 //  3. From 40 degrees on the edge is then certain. Others
 //  4. are not just a diagonal of a bent quad: is_mere_diagonal(),
 //  5. turn more than the curvature on both sides explains: crease_jump(),
-//  6. and are connected with other creases: drop_unsupported(), or between wide flat faces.
+//  6. and are connected with other creases: drop_unsupported().
 // creases.cpp decides which of these are long and smooth enough to be drawn.
 #include "fixed/crease_edges.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "mesh/flat_faces.h"
 #include "system/parallel.h"
@@ -32,59 +31,36 @@ constexpr float kLeastMeasuredAngle = 20;  // degrees
 // Unexplained shares of the edge's angle: 0 at a facet of a curved face, 1 between flat faces. An
 // edge that continues a strong one may be weak.
 constexpr float kStrong = 0.5f, kWeak = 0.25f;
-// Flat faces so wide (D) that meet at such an angle (degrees) are meant to, whatever is around.
-// Half as wide ones are facets of coarse cylinders.
-constexpr float kPlate = 0.04f, kLeastPlateAngle = 8, kUnexplained = 0.9f;
 
 // Samples for share_of_triangular_faces().
 constexpr std::uint32_t kMostPlaces = 4000;
 constexpr std::size_t kMostParts = 256;   // a triangle subdivided four times
 constexpr float kSameDirection = 0.999f;  // cosine
 
-/// Calls visit(side, sign) for the sides of the flat face around a triangle and of its parts, as
-/// long as it returns true; the sign turns normals to one side. Returns whether it visited all.
-template <class Visit>
-bool visit_face(const Surface& surface, std::uint32_t triangle, float flat, Visit visit) {
-    std::vector<std::uint32_t> parts = {triangle};
-    std::vector<float> signs = {1};
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        for (std::uint32_t side = 3 * parts[i]; side < 3 * parts[i] + 3; ++side) {
-            if (!visit(side, signs[i])) return false;
-            if (!surface.has_neighbour(side) || surface.cosine_across(side) < flat) continue;
-            const std::uint32_t next = surface.across(side) / 3;
-            if (std::find(parts.begin(), parts.end(), next) != parts.end()) continue;
-            if (parts.size() == kMostParts) return false;
-            parts.push_back(next);
-            signs.push_back(signs[i] * surface.sign_across(side));
-        }
-    return true;
-}
-
 /// Whether the flat face around a triangle is itself a triangle: its boundary has three directions.
 bool is_triangle(const Surface& surface, std::uint32_t triangle, float flat) {
+    std::vector<std::uint32_t> parts = {triangle};
+    std::vector<float> signs = {1};  // of normals, so that all point to one side
     std::vector<Vector3f> directions;
-    const auto has_room = [&](std::uint32_t side, float sign) {
-        if (surface.has_neighbour(side) && surface.cosine_across(side) >= flat) return true;
-        const Vector3f direction = sign * unit(surface.span(side));
-        const auto is_same = [&](const Vector3f& d) { return dot(d, direction) > kSameDirection; };
-        if (std::none_of(directions.begin(), directions.end(), is_same))
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        for (std::uint32_t side = 3 * parts[i]; side < 3 * parts[i] + 3; ++side) {
+            if (surface.has_neighbour(side) && surface.cosine_across(side) >= flat) {
+                const std::uint32_t next = surface.across(side) / 3;
+                if (std::find(parts.begin(), parts.end(), next) != parts.end()) continue;
+                if (parts.size() == kMostParts) return false;
+                parts.push_back(next);
+                signs.push_back(signs[i] * surface.sign_across(side));
+                continue;
+            }
+            const Vector3f direction = signs[i] * unit(surface.span(side));
+            const auto is_same = [&](const Vector3f& d) {
+                return dot(d, direction) > kSameDirection;
+            };
+            if (std::any_of(directions.begin(), directions.end(), is_same)) continue;
+            if (directions.size() == 3) return false;
             directions.push_back(direction);
-        return directions.size() <= 3;
-    };
-    return visit_face(surface, triangle, flat, has_room) && directions.size() == 3;
-}
-
-/// The mean width, across a side, of the flat face that the side is at, or of its nearest parts.
-float width_at(const Surface& surface, std::uint32_t side, float flat) {
-    const Vector3f along = unit(surface.span(side));
-    float area = 0, first = std::numeric_limits<float>::max(), last = -first;
-    visit_face(surface, side / 3, flat, [&](std::uint32_t of_part, float) {
-        const float at = dot(surface.position(surface.begin(of_part)), along);
-        first = std::min(first, at), last = std::max(last, at);
-        if (of_part % 3 == 0) area += surface.facet(of_part / 3).area;
-        return true;
-    });
-    return area / (last - first);
+        }
+    return directions.size() == 3;
 }
 
 /// Estimates, from samples all over the mesh, the share of triangular ones in the area of flat
@@ -113,8 +89,6 @@ public:
         std::vector<CreaseEdge> edges = find_bent_edges();
         in_parallel(edges.size(), [&](std::size_t i) { edges[i].verdict = test(edges[i]); });
         drop_unsupported(edges);
-        for (CreaseEdge& edge : edges)
-            if (edge.stands_alone) edge.verdict = Verdict::Strong;
         for (CreaseEdge& edge : edges)
             if (edge.verdict != Verdict::Noise)
                 edge.shown_up_to =
@@ -153,22 +127,15 @@ private:
                 float(std::acos(std::max(double(cosine), -1.))) * kDegrees};
     }
 
-    Verdict test(CreaseEdge& edge) const {
+    Verdict test(const CreaseEdge& edge) const {
         if (!is_cad_ && !is_edge_of_form(surface_, edge)) return Verdict::Noise;
         if (edge.angle >= kEdgeAngle) return Verdict::Certain;
         if (is_mere_diagonal(surface_, edge.side)) return Verdict::Facet;
         const CreaseJump jump = crease_jump(surface_, edge.side, signed_angle(surface_, edge.side));
         if (jump.degrees <= std::max(kLeastCreaseAngle, kWeak * edge.angle)) return Verdict::Facet;
         const bool is_strong = jump.degrees > kStrong * edge.angle;
-        edge.stands_alone = jump.degrees > kUnexplained * edge.angle && is_between_plates(edge);
         if (!jump.is_clear) return is_strong ? Verdict::Unclear : Verdict::Facet;
         return is_strong ? Verdict::Strong : Verdict::Weak;
-    }
-
-    bool is_between_plates(const CreaseEdge& edge) const {
-        return is_cad_ && edge.angle >= kLeastPlateAngle &&
-               width_at(surface_, edge.side, flat_) > kPlate &&
-               width_at(surface_, surface_.across(edge.side), flat_) > kPlate;
     }
 
     const float flat_ = cosine_of(kFlat / kDegrees);

@@ -25,7 +25,6 @@ struct CreaseEdge {
     std::uint32_t facets[2];
     float angle;  ///< between the normals, degrees
     Verdict verdict = Verdict::Noise;
-    bool stands_alone = false;  ///< between wide flat faces: needs no other crease
     /// The largest LineStyle::crease_angle with which it is drawn: its angle, or 40 if that is less
     /// and the faces around do not explain it.
     float shown_up_to = 0;
