@@ -35,7 +35,7 @@ bool is_along(const Vector3f& begin, const Vector3f& end, float distance, const 
     if (squared_length_of(aside) > distance * distance) return false;
     const float below = dot(aside, normal), ahead = dot(aside, direction);
     const float across = squared_length_of(aside) * squared - ahead * ahead;
-    if (below * below * squared > kThrough * across) return false;
+    if (below < 0 && below * below * squared > kThrough * across) return false;
     const float product = dot(span, direction);
     return product * product >= kAlong * length * squared;
 }
