@@ -30,7 +30,7 @@ public:
                 read_vertex(line);
             else if (statement == "f" || statement == "fo")
                 read_face(line);
-            else if (!is_other(statement))
+            else if (!is_other(statement) && !are_zeros_at_end(statement))
                 skip(statement);
         }
         for (const Ahead& face : ahead_)
@@ -63,9 +63,15 @@ private:
     [[noreturn]] static void throw_cut_off() { throw Defect{"it ends in the middle of a line"}; }
 
     static bool is_other(std::string_view statement) {
-        if (statement.empty() || statement[0] == '#' || statement[0] == '\0') return true;
+        if (statement.empty() || statement[0] == '#') return true;
         return std::find(std::begin(kOtherStatements), std::end(kOtherStatements), statement) !=
                std::end(kOtherStatements);
+    }
+
+    bool are_zeros_at_end(std::string_view statement) const {
+        constexpr std::string_view zero("\0", 1);
+        return statement.find_first_not_of(zero) == statement.npos &&
+               text_.rest().find_first_not_of(zero) == text_.rest().npos;
     }
 
     /// Skips statements of other programs. A number is no statement, but a damaged line.
@@ -96,6 +102,7 @@ private:
                              std::to_string(mesh_.vertex_count())};
             corners_.push_back(vertex);
         }
+        // cut off; a face with more corners left cannot be told
         if (corners_.size() < 3 && ends_in_line_ && text_.rest().empty()) throw_cut_off();
         const auto last = std::max_element(corners_.begin(), corners_.end());
         if (corners_.size() >= 3 && *last >= std::int64_t(mesh_.vertex_count()))

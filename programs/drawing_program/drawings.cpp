@@ -47,10 +47,10 @@ void say_size(const std::vector<ReadMesh>& meshes, const CommandLine& commands) 
     const Eigen::Vector3d size = unit * box.sizes();
     const bool is_given =
         std::find(commands.words.begin(), commands.words.end(), "--unit") != commands.words.end();
-    const bool is_likely = line_drawing::likely_unit(box.diagonal().norm()) == 0;
+    const bool in_metres = line_drawing::likely_unit(box.diagonal().norm()) == line_drawing::kMetre;
     const char* advice = is_given    ? ""
-                         : is_likely ? "; --unit says otherwise"
-                                     : "; if it is in metres, say --unit m";
+                         : in_metres ? "; if it is in metres, say --unit m"
+                                     : "; --unit says otherwise";
     say(stdout, (meshes.size() > 1 ? "together the objects are " : "the object is ") +
                     line_drawing::size_text(size, " x ") + " in size, with " +
                     line_drawing::in_digits(unit) + " mm to the unit of the mesh" + advice);

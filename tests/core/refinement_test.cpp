@@ -71,6 +71,14 @@ TEST(Refinement, LeavesWhatNeedsNone) {
             << mesh.triangles.size();
 }
 
+TEST(Refinement, TakesCopiesOfTrianglesOnce) {
+    TriangleMesh mesh = test_meshes::icosphere(3);
+    const std::size_t finer = refined(mesh).triangles.size();
+    mesh.triangles.push_back(mesh.triangles[0]);
+    EXPECT_EQ(refined(mesh).triangles.size(), finer + 16);
+    EXPECT_EQ(precompute(refined(mesh)).report.border_share, 0);
+}
+
 TEST(Refinement, GoesAcrossSeamsHoweverTrianglesAreTurned) {
     const TriangleMesh mesh = test_meshes::bumpy_sphere(4).mesh, finer = refined(mesh);
     TriangleMesh cut = test_meshes::cut_apart(mesh);
@@ -94,6 +102,11 @@ TEST(Refinement, IsThatOfTheMeshBeforeItWasSubdivided) {
     for (const int times : {1, 3}) {
         const TriangleMesh cut = subdivided(mesh, times), again = refined(cut);
         EXPECT_EQ(again.triangles.size(), finer.triangles.size());
+        const auto corner = [](const TriangleMesh& of, std::size_t t) -> Eigen::Vector3d {
+            return of.positions[of.triangles[t][t % 3]];
+        };
+        for (std::size_t t = 0; t < finer.triangles.size(); ++t)
+            EXPECT_LT((corner(again, t) - corner(finer, t)).norm(), 1e-6);
         EXPECT_NEAR(again.known_edge, finer.known_edge, 1e-6);
         EXPECT_EQ(refined(test_meshes::cut_apart(cut)).triangles.size(), finer.triangles.size());
     }
@@ -194,7 +207,8 @@ TEST(Subdivisions, AreUndone) {
     test_meshes::append(two, test_meshes::moved(scan(), {3, 0, 0}));
     test_meshes::flip_triangles(flipped, 5);
     for (const TriangleMesh& mesh :
-         {two, flipped, test_meshes::moved(scan(), {20, -30, 0}), scan()})
+         {two, flipped, test_meshes::moved(scan(), {20, -30, 0}),
+          test_meshes::with_noise(test_meshes::half_torus(60, 40).mesh, 0.1)})
         for (const int times : {1, 2}) {
             const TriangleMesh cut = rounded_to_floats(subdivided(rounded_to_floats(mesh), times));
             EXPECT_EQ(refined(cut).triangles, mesh.triangles);

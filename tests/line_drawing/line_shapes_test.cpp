@@ -141,6 +141,9 @@ TEST(Specks, AreNoContoursFromEdgeToEdge) {
     for (DrawnPoint& point : after.points)
         point.position += line.points.back().position - zigzag(0.1, 41).points.front().position;
     EXPECT_EQ(kept({line, before, after}), 3u);
+    line.closed = true;
+    line.points.back() = line.points.front();
+    EXPECT_EQ(kept({line, before, after}), 2u);
 }
 
 /// Curved surfaces' may be three times as long: scans are rough.

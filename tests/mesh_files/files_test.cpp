@@ -82,7 +82,7 @@ TEST(WholeFiles, MayHaveMoreThanTheirFormatThenItIsSaid) {
     };
     expect("obj", "\xef\xbb\xbf", "", "");
     expect(
-        "obj", "\n$\nc 1 0 0\n", "f 1\nf\n",
+        "obj", "\n$\nc 1 0 0\n", std::string("f 1\nf\n\0\0", 8),
         "lines skipped that are no statements of OBJ files: 2, the first is line 2, \"$\"; faces "
         "skipped that have fewer than three corners: 2");
     expect("stl", "", "of others\nsolid\nendsolid\n", "lines skipped after \"endsolid\": 1");

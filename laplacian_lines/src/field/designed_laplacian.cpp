@@ -22,7 +22,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSpacing = 0.5;              // √h; sides of small triangles are shorter
-constexpr std::size_t kMostPoints = 1000000;  // besides one a triangle: a second
+constexpr std::size_t kMostPoints = 1000000;  // and one a triangle: more take over a second
 
 /// The vertices of a mesh, and then points on its triangles.
 struct PointCloud {

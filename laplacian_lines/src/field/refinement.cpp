@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A mesh of a smooth surface is cut finer:
-//  1. Subdivisions at the middles of its edges are undone.
+// What is drawn instead of a mesh:
+//  1. Subdivisions at the middles of edges are undone. Others follow for smooth surfaces alone.
 //  2. Normals of its vertices are those of precompute(), across cuts.
 //  3. The middle of an edge is put on the cubic curve that leaves both ends normal to their
 //     normals; its normal is that of the quadratic between them which curved surfaces have.
@@ -14,7 +14,6 @@
 #include "field/field_steps.h"
 #include "laplacian_lines/error.h"
 #include "mesh/bounding_box.h"
-#include "mesh/conforming.h"
 #include "mesh/corner_table.h"
 #include "mesh/midpoints.h"
 #include "mesh/prepared_mesh.h"
@@ -24,8 +23,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kKernelEdges = 1.4;  // of √h: sums over vertices are those over the surface
-constexpr int kMostCuts = 2;          // √h, .6 of the edges before, then is 2.4 of those after
+// Mean edges in √h from which on sums over vertices are those over the surface. After two cuts the
+// least kernel, .6 of the edges before, has 2.4 of those after.
+constexpr double kKernelEdges = 1.4;
+constexpr int kMostCuts = 2;
 // Forms of so few triangles are polyhedra by design; so many, once cut, take too long.
 constexpr std::size_t kLeastTriangles = 1000, kMostTriangles = 1000000;
 // Sine of the angle between an edge and the plane of an end's normal from which it stays straight
@@ -49,9 +50,9 @@ bool is_coarse(const TriangleMesh& mesh) {
 
 /// Whether the surface between the vertices may be curved: edges and steps of the form are not.
 bool is_of_curves(const TriangleMesh& mesh, const PreparedMesh& prepared) {
-    // at T-junctions, curved sides would part
+    // at T-junctions, which add triangles, curved sides would part
     const std::size_t usable = mesh.triangles.size() - prepared.report.degenerate_triangles;
-    return prepared.report.coordinate_step == 0 && prepared.triangles.size() == usable &&
+    return prepared.report.coordinate_step == 0 && prepared.triangles.size() <= usable &&
            prepared.origin == Origin::Scan;
 }
 

@@ -19,31 +19,35 @@ using Eigen::Vector3f;
 
 constexpr float kNearCrease = 0.01f;  // D
 constexpr float kAlong = 0.5f;        // least squared cosine of lines that run beside each other
-constexpr float kThrough = 0.5f;      // likewise of a normal: what lies there is behind the surface
+constexpr float kThrough = 0.5f;      // likewise of the way through a wall and the normal there
+constexpr float kSamePlace = 0.01f;   // squared, of that distance
 constexpr float kRoundUp = 1.01f;     // of boxes, which only preselect
 constexpr float kFading = 5;          // blunt edges are paler than sharp ones
 constexpr float kClearance = 4;       // a rounded edge has its contour near its crest
 
-/// Whether a piece passes within the distance of p, about in this direction, and on the same side
-/// of a wall: beside p as seen along the normal there.
+/// Whether a piece passes within the distance of p, about in this direction, and not behind the
+/// wall that it is on: below p, along the unit normal there. A zero normal: whichever side.
 bool is_along(const Vector3f& begin, const Vector3f& end, float distance, const Vector3f& p,
               const Vector3f& direction, const Vector3f& normal) {
     const Vector3f span = end - begin;
     const float length = squared_length_of(span), squared = squared_length_of(direction);
     const float t = length > 0 ? std::clamp(dot(p - begin, span) / length, 0.f, 1.f) : 0.f;
     const Vector3f aside = begin + t * span - p;
-    if (squared_length_of(aside) > distance * distance) return false;
+    const float far = distance * distance;
+    if (squared_length_of(aside) > far) return false;
     const float below = dot(aside, normal), ahead = dot(aside, direction);
     const float across = squared_length_of(aside) * squared - ahead * ahead;
-    if (below < 0 && below * below * squared > kThrough * across) return false;
+    if (below < 0 && below * below > kSamePlace * far &&
+        below * below * squared > kThrough * across)
+        return false;
     const float product = dot(span, direction);
     return product * product >= kAlong * length * squared;
 }
 
 /// For each point of the ridges, 1 if a line of `others` runs beside it: within the distance, in
 /// the points' unit, and at less than 45 degrees. Any number of threads gives the same.
-std::vector<std::uint8_t> points_along(const ZeroLines& ridges, const LineSet& others,
-                                       float distance) {
+std::vector<std::uint8_t> points_along(const ZeroLines& ridges, const Crest& crest,
+                                       const LineSet& others, float distance) {
     const LineSet& lines = ridges.lines;
     std::vector<std::uint32_t> begins;  // points from which pieces go to the next
     Eigen::AlignedBox3f bounds;
@@ -66,9 +70,10 @@ std::vector<std::uint8_t> points_along(const ZeroLines& ridges, const LineSet& o
             const Vector3f& p = points[i].position;
             const Vector3f direction = points[std::min(i + 1, line.count - 1)].position -
                                        points[i > 0 ? i - 1 : 0].position;
+            const Vector3f normal = crest.sign > 0 ? unit(ridges.forms[line.first + i].normal)
+                                                   : Vector3f(Vector3f::Zero());
             along[line.first + i] = !tree.visit(Eigen::AlignedBox3f(p), [&](std::uint32_t begin) {
-                return !is_along(at(begin), at(begin + 1), distance, p, direction,
-                                 ridges.forms[line.first + i].normal);
+                return !is_along(at(begin), at(begin + 1), distance, p, direction, normal);
             });
         }
     });
@@ -107,7 +112,7 @@ private:
         const std::lock_guard<std::mutex> lock(mutex_);
         if (creases_ != creases) {
             along_ = std::make_shared<const std::vector<std::uint8_t>>(
-                points_along(found_.all(), *creases, kNearCrease * float(data.diagonal)));
+                points_along(found_.all(), crest, *creases, kNearCrease * float(data.diagonal)));
             creases_ = creases;
         }
         return along_;

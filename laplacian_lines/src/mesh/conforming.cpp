@@ -273,7 +273,7 @@ void drop_copies(const std::vector<std::uint32_t>& place_of, std::vector<Triangl
         at_places.size(),
         [&](std::uint32_t t) {
             const auto [a, b, c] = at_places[t];
-            return mix_hash(mix_hash(a, b), c);
+            return mix_hash(mix_hash(mix_hash(0, a), b), c);
         },
         [&](std::uint32_t t, std::uint32_t other) { return at_places[t] == at_places[other]; });
     std::size_t kept = 0;

@@ -23,19 +23,15 @@ constexpr double kLeastOfVoxels = 0.5, kSameDirection = 0.9994;  // cosine of 2Â
 // parts have .71 and more, spheres and tori of even quadrilaterals none.
 constexpr double kCoarseShare = 0.5;
 
-/// Of the area, that of some triangles.
-template <class IsCounted>
-double area_share(const PreparedMesh& mesh, IsCounted is_counted) {
-    const auto area = [&](std::size_t t) { return area_vector(mesh, mesh.triangles[t]).norm(); };
-    const std::size_t count = mesh.triangles.size();
-    return sum_of(count, [&](std::size_t t) { return is_counted(t) ? area(t) : 0; }) /
-           sum_of(count, area);
-}
-
+/// Of the area, that of triangles with a longer side.
 double share_of_long(const PreparedMesh& mesh, double length) {
-    return area_share(mesh, [&](std::size_t t) {
+    const auto area = [&](std::size_t t) { return area_vector(mesh, mesh.triangles[t]).norm(); };
+    const auto is_long = [&](std::size_t t) {
         return longest_squared(mesh.positions, mesh.triangles[t]) > length * length;
-    });
+    };
+    const std::size_t count = mesh.triangles.size();
+    return sum_of(count, [&](std::size_t t) { return is_long(t) ? area(t) : 0; }) /
+           sum_of(count, area);
 }
 
 /// Whether flat faces are those of voxels, also of turned and decimated volumes.
@@ -65,9 +61,9 @@ bool are_of_voxels(const FlatFaces& flat) {
 
 Origin origin_of(PreparedMesh& mesh) {
     const CornerTable& sides = sides_of(mesh);
-    if (flat_faces(mesh, sides).share <= kCadShare) return Origin::Scan;
-    if (share_of_long(mesh, kLongSide * mesh.mean_edge) < kMostUneven &&
-        are_of_voxels(flat_faces(mesh, sides)))
+    const FlatFaces flat = flat_faces(mesh, sides);
+    if (!flat.is_cad_mesh()) return Origin::Scan;
+    if (share_of_long(mesh, kLongSide * mesh.mean_edge) < kMostUneven && are_of_voxels(flat))
         return Origin::Voxels;
     return share_of_long(mesh, kDesignedKernel) > kCoarseShare ? Origin::Design
                                                                : Origin::FineDesign;

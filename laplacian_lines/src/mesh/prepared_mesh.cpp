@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The usable part of a mesh:
 //  1. Triangles without an area, or with corners that are not finite, are dropped.
-//  2. T-junctions are cut, and vertices at one place, or across a crack, welded where they cut the
-//     surface open.
+//  2. T-junctions are cut, copies of triangles dropped, and vertices at one place, or across a
+//     crack, welded where they cut the surface open.
 //  3. Used vertices are kept, in coordinates around the bounding box's centre and in units of its
 //     diagonal D. Triangles that lose their area by rounding are dropped as well.
 //  4. Triangles folded over by a needle's width are unfolded, and all turned outwards.
@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 #include <string>
 
@@ -74,11 +75,32 @@ void expect_surface(const std::vector<Triangle>& usable) {
                     "point cloud, reconstruct one first.");
 }
 
+/// Gives vertices that only copies of triangles used the representative of another at their place.
+void represent_copies(const TriangleMesh& mesh, const std::vector<std::uint32_t>& place_of,
+                      PreparedMesh& prepared) {
+    std::vector<std::uint32_t> used_at(place_of.size(), kUnused);
+    std::vector<std::uint8_t> is_used(place_of.size());
+    for (const Triangle& t : prepared.triangles)
+        for (const std::uint32_t v : t)
+            used_at[place_of[v]] = v, is_used[v] = 1;
+    std::vector<std::uint32_t>& representative = prepared.representative;
+    for (const Triangle& t : mesh.triangles)
+        for (const std::uint32_t v : t) {
+            if (is_used[v] || used_at[place_of[v]] == kUnused) continue;
+            if (representative.empty()) {
+                representative.resize(place_of.size());
+                std::iota(representative.begin(), representative.end(), 0u);
+            }
+            representative[v] = representative[used_at[place_of[v]]];
+        }
+}
+
 /// Makes triangles use representatives, so that triangles at cuts become neighbours.
 void stitch(const TriangleMesh& mesh, const std::vector<std::uint32_t>& place_of,
             PreparedMesh& prepared) {
-    prepared.representative = stitch_cuts(mesh.positions, place_of, prepared.triangles);
-    const std::vector<std::uint32_t>& representative = prepared.representative;
+    std::vector<std::uint32_t>& representative = prepared.representative;
+    representative = stitch_cuts(mesh.positions, place_of, prepared.triangles);
+    represent_copies(mesh, place_of, prepared);
     if (representative.empty()) return;
     for (std::uint32_t v = 0; v < representative.size(); ++v)
         prepared.report.welded_vertices += representative[v] != v;

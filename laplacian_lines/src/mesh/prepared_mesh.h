@@ -48,10 +48,10 @@ enum class Cuts { Left, Stitched };
 enum class Facing { Kept, Outwards };
 
 /// The vertices keep the input's order. @throws Error: InvalidMesh, EmptyMesh.
-PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, Facing facing = Facing::Kept);
+PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, Facing facing);
 
 /// Without the mean edge and the origin.
-PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, Facing facing = Facing::Kept);
+PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, Facing facing);
 
 /// Builds them if they are missing.
 const CornerTable& sides_of(PreparedMesh& mesh);

@@ -34,12 +34,13 @@ struct MeshUnit {
     double mm;
 };
 inline constexpr MeshUnit kMeshUnits[] = {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}};
+constexpr int kMillimetre = 0, kMetre = 2;
+
 /// The likely one of these for a mesh with this diagonal. Scanners write mm, and few objects are
 /// smaller than 10 mm; photogrammetry and phones write m, and few are larger than 10 m. cm and
 /// inches cannot be recognized.
 constexpr int likely_unit(double diagonal) {
-    constexpr int millimetre = 0, metre = 2;
-    return diagonal < 10 ? metre : millimetre;
+    return diagonal < 10 ? kMetre : kMillimetre;
 }
 
 /// The filters' choice "Settings": the filter's own, those of the decoration, then one mixture of

@@ -131,22 +131,21 @@ double possible_scale(Layout& layout, const SheetOptions& options, const Vector2
 }
 
 /// Views of no side are below the others, unless beside them the scale is larger. Sections are
-/// beside the front view, aligned with it, unless rows double the scale. Or else nothing fits.
+/// beside the front view, aligned with it, unless rows double the scale, or otherwise nothing fits.
 CellChoice choose_cells(const std::vector<DrawnView>& views, const SheetOptions& options,
                         const Vector2d& paper) {
     constexpr double least_gain = 2;
-    const auto scale_of = [&](const CellChoice& choice) {
-        Layout layout(views, options, choice);
-        return possible_scale(layout, options, paper);
-    };
     CellChoice best;
-    best.others_beside = scale_of({true, 0}) > scale_of({false, 0});
-    double best_scale = least_gain * scale_of(best);
-    for (int in_a_row = 1; in_a_row <= int(options.sections.size()); ++in_a_row) {
-        const double scale = scale_of({best.others_beside, in_a_row});
-        if (best.sections_in_a_row == 0 ? scale > 0 && scale >= best_scale : scale > best_scale)
-            best.sections_in_a_row = in_a_row, best_scale = scale;
-    }
+    double best_scale = 0;
+    for (int in_a_row = 0; in_a_row <= int(options.sections.size()); ++in_a_row)
+        for (const bool beside : {false, true}) {
+            const CellChoice choice{beside, in_a_row};
+            Layout layout(views, options, choice);
+            const double scale = possible_scale(layout, options, paper);
+            const bool is_first_row = in_a_row > 0 && best.sections_in_a_row == 0;
+            if (is_first_row ? scale > 0 && scale >= least_gain * best_scale : scale > best_scale)
+                best = choice, best_scale = scale;
+        }
     return best;
 }
 

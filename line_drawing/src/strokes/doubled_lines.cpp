@@ -217,7 +217,7 @@ bool is_speck(const DrawnLine& line, const DrawnLines& edges, double pen) {
         return edges.is_near(end.position, DrawnLines::kNoLine, pen);
     };
     return is_curved_contour(line) && line.jump < pen &&
-           !(meets_edge(line.points.front()) && meets_edge(line.points.back()));
+           (line.closed || !(meets_edge(line.points.front()) && meets_edge(line.points.back())));
 }
 
 class Nodes {

@@ -59,7 +59,8 @@ class Surface:
         In its unit: diagonal (of the bounding box), mean_edge, kernel_size √h and normal_sigma (of smoothing), as they were
         used. Without unit: roughness (of clean meshes 0). Counts of what was dropped: non_finite_vertices,
         unreferenced_vertices, degenerate_triangles. Counts of repairs: welded_vertices; flipped_triangles, whose orientation
-        was reversed because they faced inwards or unlike their neighbours. Fields and lines are those of the repaired mesh.
+        was reversed because they faced inwards or unlike their neighbours. Fields and lines are those of the repaired mesh;
+        lines also of what refining and undoing midpoint subdivisions make of it.
         """
         return self._core.measures()
 
