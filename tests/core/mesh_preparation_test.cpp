@@ -202,7 +202,7 @@ TEST(Stitching, PassesOverVerticesThatAreNotNumbers) {
 
 /// As programs write that have a mesh selected twice, with shared vertices or as a soup; in open
 /// meshes also with vertices of their own.
-TEST(Stitching, TakesCopiesOfTrianglesOnce) {
+TEST(Stitching, TakesDoubledMeshesOnce) {
     const TriangleMesh mesh = mesh_named("torus_jittered").mesh;
     TriangleMesh twice = mesh;
     twice.triangles.insert(twice.triangles.end(), mesh.triangles.begin(), mesh.triangles.end());

@@ -71,14 +71,6 @@ TEST(Refinement, LeavesWhatNeedsNone) {
             << mesh.triangles.size();
 }
 
-TEST(Refinement, TakesCopiesOfTrianglesOnce) {
-    TriangleMesh mesh = test_meshes::icosphere(3);
-    const std::size_t finer = refined(mesh).triangles.size();
-    mesh.triangles.push_back(mesh.triangles[0]);
-    EXPECT_EQ(refined(mesh).triangles.size(), finer + 16);
-    EXPECT_EQ(precompute(refined(mesh)).report.border_share, 0);
-}
-
 TEST(Refinement, GoesAcrossSeamsHoweverTrianglesAreTurned) {
     const TriangleMesh mesh = test_meshes::bumpy_sphere(4).mesh, finer = refined(mesh);
     TriangleMesh cut = test_meshes::cut_apart(mesh);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
@@ -32,13 +31,11 @@ std::vector<View> axis_views(double distance) {
     return views;
 }
 
-/// Without exactly two triangles, of which copies are one.
+/// Without exactly two triangles.
 LineSet irregular_edges(const TriangleMesh& mesh) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> counts;
-    std::set<Triangle> known;
-    for (Triangle t : mesh.triangles) {
-        std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-        if (!helpers::has_area(mesh, t) || !known.insert(t).second) continue;
+    for (const Triangle& t : mesh.triangles) {
+        if (!helpers::has_area(mesh, t)) continue;
         for (int k = 0; k < 3; ++k)
             ++counts[std::minmax(t[k], t[(k + 1) % 3])];
     }

@@ -130,22 +130,6 @@ TEST(Specks, AreContoursBeforeASmallJumpInDepth) {
     EXPECT_EQ(kept({outline}), 1u);
 }
 
-/// Of a wall seen edge-on, whose foot is hidden here and there.
-TEST(Specks, AreNoContoursFromEdgeToEdge) {
-    DrawnLine line = zigzag(0.1, 41), before = zigzag(0.1, 41, true), after = before;
-    line.jump = 0.01;
-    before.line_class = after.line_class = LineClass::Edge;
-    for (DrawnPoint& point : before.points)
-        point.position += line.points.front().position - zigzag(0.1, 41).points.back().position;
-    EXPECT_EQ(kept({line, before}), 1u);
-    for (DrawnPoint& point : after.points)
-        point.position += line.points.back().position - zigzag(0.1, 41).points.front().position;
-    EXPECT_EQ(kept({line, before, after}), 3u);
-    line.closed = true;
-    line.points.back() = line.points.front();
-    EXPECT_EQ(kept({line, before, after}), 2u);
-}
-
 /// Curved surfaces' may be three times as long: scans are rough.
 TEST(Specks, AreShortContoursThatEndInNothing) {
     DrawnLine contour = zigzag(0, 4);  // 1.5 mm

@@ -50,9 +50,9 @@ bool is_coarse(const TriangleMesh& mesh) {
 
 /// Whether the surface between the vertices may be curved: edges and steps of the form are not.
 bool is_of_curves(const TriangleMesh& mesh, const PreparedMesh& prepared) {
-    // at T-junctions, which add triangles, curved sides would part
+    // at T-junctions, curved sides would part
     const std::size_t usable = mesh.triangles.size() - prepared.report.degenerate_triangles;
-    return prepared.report.coordinate_step == 0 && prepared.triangles.size() <= usable &&
+    return prepared.report.coordinate_step == 0 && prepared.triangles.size() == usable &&
            prepared.origin == Origin::Scan;
 }
 

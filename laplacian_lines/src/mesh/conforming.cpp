@@ -262,7 +262,11 @@ bool are_on_each_other(const std::vector<Vector3d>& positions,
     return across(a).dot(across(b)) > kLeastCosine;
 }
 
-/// Drops triangles that are at the places of an earlier one and face the same way.
+// Share of triangles from which on copies are those of bodies that touch, not of a doubled mesh.
+constexpr double kLeastSingle = 0.6;
+
+/// If most triangles are there twice: drops those at the places of an earlier one that face the
+/// same way. `place_of`: for each vertex one at its place.
 void drop_copies(const std::vector<std::uint32_t>& place_of, std::vector<Triangle>& triangles) {
     std::vector<Triangle> at_places = with_places(triangles, place_of);
     for_each_element(at_places.size(), [&](std::size_t i) {
@@ -276,10 +280,10 @@ void drop_copies(const std::vector<std::uint32_t>& place_of, std::vector<Triangl
             return mix_hash(mix_hash(mix_hash(0, a), b), c);
         },
         [&](std::uint32_t t, std::uint32_t other) { return at_places[t] == at_places[other]; });
-    std::size_t kept = 0;
+    std::vector<Triangle> rest;
     for (std::uint32_t t = 0; t < first.size(); ++t)
-        if (first[t] == t) triangles[kept++] = triangles[t];
-    triangles.resize(kept);
+        if (first[t] == t) rest.push_back(triangles[t]);
+    if (double(rest.size()) < kLeastSingle * double(triangles.size())) triangles.swap(rest);
 }
 
 }  // namespace

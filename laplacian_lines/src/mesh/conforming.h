@@ -46,8 +46,9 @@ Nearness nearness_of(const std::vector<Eigen::Vector3d>& positions,
 
 /// Joins a surface at its cracks and T-junctions, as CAD programs and scanners leave them: returns
 /// for each vertex the first one at its place, which at borders need not be the same position,
-/// drops copies of triangles, and cuts triangles on borders where vertices of other borders lie on
-/// their sides, if one of the parts is a side of another triangle. Neither adds nor moves vertices.
+/// drops the copies of a doubled mesh, and cuts triangles on borders where vertices of other
+/// borders lie on their sides, if one of the parts is a side of another triangle. Neither adds nor
+/// moves vertices.
 std::vector<std::uint32_t> make_conforming(const std::vector<Eigen::Vector3d>& positions,
                                            const Nearness& near, std::vector<Triangle>& triangles);
 

@@ -210,14 +210,8 @@ std::vector<DrawnLine> without_equal(const std::vector<DrawnLine>& lines, double
 // mm; the second one of contours of curved surfaces, which the roughness of a scan makes
 constexpr double kShortestLine = 0.8, kShortestContourEnd = 3 * kShortestLine;
 
-/// A low contour of a curved surface that does not lead from edge to edge of the form. A wall seen
-/// edge-on, which bulges beyond its foot here and there, has both by turns.
-bool is_speck(const DrawnLine& line, const DrawnLines& edges, double pen) {
-    const auto meets_edge = [&](const DrawnPoint& end) {
-        return edges.is_near(end.position, DrawnLines::kNoLine, pen);
-    };
-    return is_curved_contour(line) && line.jump < pen &&
-           (line.closed || !(meets_edge(line.points.front()) && meets_edge(line.points.back())));
+bool is_speck(const DrawnLine& line, const SheetOptions& options) {
+    return is_curved_contour(line) && line.jump < options.pens[std::size_t(LineClass::Inner)];
 }
 
 class Nodes {
@@ -303,12 +297,8 @@ std::vector<DrawnLine> without_doubles(std::vector<DrawnLine> lines, double reac
 }
 
 std::vector<DrawnLine> without_specks(std::vector<DrawnLine> lines, const SheetOptions& options) {
-    const double pen = options.pens[std::size_t(LineClass::Inner)];
-    DrawnLines edges(pen);
-    for (const DrawnLine& line : lines)
-        if (line.line_class == LineClass::Edge) edges.add(positions_of(line));
     lines.erase(std::remove_if(lines.begin(), lines.end(),
-                               [&](const DrawnLine& line) { return is_speck(line, edges, pen); }),
+                               [&](const DrawnLine& line) { return is_speck(line, options); }),
                 lines.end());
     const Nodes nodes(lines);
     for (DrawnLine& line : lines)

@@ -10,8 +10,7 @@
 namespace line_drawing {
 
 /// Removes specks, on the sheet: contours of curved surfaces before a jump in depth of less than a
-/// pen, unless they lead from edge to edge, lines and ends of lines shorter than the shortest one
-/// that end in nothing. Outlines stay.
+/// pen, lines and ends of lines shorter than the shortest one that end in nothing. Outlines stay.
 std::vector<DrawnLine> without_specks(std::vector<DrawnLine> lines, const SheetOptions& options);
 
 /// Joins ends that have lost the line they met: by `left_out` short lines that lead on to another,
