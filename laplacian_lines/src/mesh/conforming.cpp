@@ -268,18 +268,12 @@ constexpr double kLeastSingle = 0.6;
 /// If most triangles are there twice: drops those at the places of an earlier one that face the
 /// same way. `place_of`: for each vertex one at its place.
 void drop_copies(const std::vector<std::uint32_t>& place_of, std::vector<Triangle>& triangles) {
-    std::vector<Triangle> at_places = with_places(triangles, place_of);
-    for_each_element(at_places.size(), [&](std::size_t i) {
-        Triangle& t = at_places[i];
+    const auto turned = [](Triangle t) {
         std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-    });
-    const std::vector<std::uint32_t> first = first_equals(
-        at_places.size(),
-        [&](std::uint32_t t) {
-            const auto [a, b, c] = at_places[t];
-            return mix_hash(mix_hash(mix_hash(0, a), b), c);
-        },
-        [&](std::uint32_t t, std::uint32_t other) { return at_places[t] == at_places[other]; });
+        return t;
+    };
+    const std::vector<std::uint32_t> first =
+        first_equal_triangles(with_places(triangles, place_of), turned);
     std::vector<Triangle> rest;
     for (std::uint32_t t = 0; t < first.size(); ++t)
         if (first[t] == t) rest.push_back(triangles[t]);

@@ -40,4 +40,19 @@ inline std::vector<std::uint32_t> first_equal_positions(
     });
 }
 
+/// For each triangle the first one with the same corners; normal_form(triangle) is the same for
+/// equal ones: std::sort of the corners, or their turn, which tells triangles that face opposite
+/// ways.
+template <class NormalForm>
+std::vector<std::uint32_t> first_equal_triangles(const std::vector<Triangle>& triangles,
+                                                 NormalForm normal_form) {
+    const auto hash_of = [&](std::uint32_t i) {
+        const auto [a, b, c] = normal_form(triangles[i]);
+        return mix_hash(mix_hash(mix_hash(0, a), b), c);
+    };
+    return first_equals(triangles.size(), hash_of, [&](std::uint32_t a, std::uint32_t b) {
+        return normal_form(triangles[a]) == normal_form(triangles[b]);
+    });
+}
+
 }  // namespace laplacian_lines

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The usable part of a mesh:
 //  1. Triangles without an area, or with corners that are not finite, are dropped.
-//  2. T-junctions are cut, copies of triangles dropped, and vertices at one place, or across a
-//     crack, welded where they cut the surface open.
+//  2. T-junctions are cut, the copies of a doubled mesh dropped, and vertices at one place, or
+//     across a crack, welded where they cut the surface open.
 //  3. Used vertices are kept, in coordinates around the bounding box's centre and in units of its
 //     diagonal D. Triangles that lose their area by rounding are dropped as well.
 //  4. Triangles folded over by a needle's width are unfolded, and all turned outwards.
@@ -100,7 +100,8 @@ void stitch(const TriangleMesh& mesh, const std::vector<std::uint32_t>& place_of
             PreparedMesh& prepared) {
     std::vector<std::uint32_t>& representative = prepared.representative;
     representative = stitch_cuts(mesh.positions, place_of, prepared.triangles);
-    represent_copies(mesh, place_of, prepared);
+    const std::size_t usable = mesh.triangles.size() - prepared.report.degenerate_triangles;
+    if (prepared.triangles.size() < usable) represent_copies(mesh, place_of, prepared);
     if (representative.empty()) return;
     for (std::uint32_t v = 0; v < representative.size(); ++v)
         prepared.report.welded_vertices += representative[v] != v;

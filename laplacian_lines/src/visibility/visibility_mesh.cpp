@@ -19,10 +19,10 @@
 #include "mesh/bounding_box.h"
 #include "mesh/box_tree.h"
 #include "mesh/conforming.h"
+#include "mesh/equal_positions.h"
 #include "mesh/needles.h"
 #include "mesh/triangle_sizes.h"
 #include "system/disjoint_sets.h"
-#include "system/equal_elements.h"
 #include "visibility/edge_building.h"
 #include "visibility/vertex_lookup.h"
 
@@ -59,23 +59,12 @@ Triangle sorted(Triangle t) {
     return t;
 }
 
-/// For each triangle the first one with the same corners.
-std::vector<std::uint32_t> first_equal_triangles(const std::vector<Triangle>& triangles) {
-    const auto hash_of = [&](std::uint32_t i) {
-        const Triangle t = sorted(triangles[i]);
-        return mix_hash(mix_hash(mix_hash(0, t[0]), t[1]), t[2]);
-    };
-    return first_equals(triangles.size(), hash_of, [&](std::uint32_t a, std::uint32_t b) {
-        return sorted(triangles[a]) == sorted(triangles[b]);
-    });
-}
-
 /// Drops triangles without height, and all but one of those with the same corners.
 void drop_triangles(VisibilityMesh& mesh) {
     keep_triangles(mesh, [&](std::uint32_t t) {
         return height_of(mesh.positions, mesh.triangles[t]) > mesh.precision;
     });
-    const std::vector<std::uint32_t> first = first_equal_triangles(mesh.triangles);
+    const std::vector<std::uint32_t> first = first_equal_triangles(mesh.triangles, sorted);
     keep_triangles(mesh, [&](std::uint32_t t) { return first[t] == t; });
 }
 
