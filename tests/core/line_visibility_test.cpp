@@ -509,4 +509,43 @@ TEST(LineVisibility, DrawsTheCreasesOfEachLook) {
     EXPECT_EQ(lengths[0], lengths[2]);
 }
 
+/// A square plate with a tower of 1 x 1 x 1 in its middle, which is wider at its top.
+TriangleMesh tower(double overhang) {
+    TriangleMesh mesh;
+    const std::vector<std::pair<double, double>> rings = {
+        {2, 0}, {0.5, 0}, {0.5 + overhang, 1}, {0, 1}};  // half a side, height
+    for (const auto& [half, z] : rings)
+        for (const Eigen::Vector2d& corner :
+             std::vector<Eigen::Vector2d>{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+            mesh.positions.push_back({half * corner.x(), half * corner.y(), z});
+    for (std::uint32_t ring = 0; ring < 12; ring += 4)
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            const std::uint32_t a = ring + i, b = ring + (i + 1) % 4;
+            mesh.triangles.push_back({a, b, b + 4});
+            if (ring < 8) mesh.triangles.push_back({a, b + 4, a + 4});
+        }
+    return mesh;
+}
+
+/// Length of the lines at the tower's foot, seen from above.
+float seen_foot(double overhang) {
+    const Scene scene{tower(overhang)};
+    const auto view = View::orthographic({0, 0, 1});
+    LineStyle style = helpers::all_contours();
+    style.shows[LineKind::Crease] = true;
+    float length = 0;
+    for (const ViewLine& line :
+         scene.visibility.visible_lines(view, {scene.on_surface(view, style)}, {style.shows}))
+        for (std::size_t i = 1; i < line.points.size(); ++i)
+            if (line.points[i].position.z() < 0.5 && line.points[i - 1].position.z() < 0.5)
+                length += float((line.points[i].position - line.points[i - 1].position).norm());
+    return length;
+}
+
+TEST(LineVisibility, FeetOfWallsAreSeenBesideTheWallsUnevenness) {
+    EXPECT_NEAR(seen_foot(-1e-6), 4, 1e-3);
+    EXPECT_NEAR(seen_foot(1e-6), 4, 1e-3);
+    EXPECT_EQ(seen_foot(1e-3), 0);
+}
+
 }  // namespace

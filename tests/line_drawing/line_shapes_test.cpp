@@ -130,17 +130,49 @@ TEST(Specks, AreContoursBeforeASmallJumpInDepth) {
     EXPECT_EQ(kept({outline}), 1u);
 }
 
-/// Curved surfaces' may be three times as long: scans are rough.
-TEST(Specks, AreShortContoursThatEndInNothing) {
-    DrawnLine contour = zigzag(0, 4);  // 1.5 mm
-    contour.jump = 5;
-    EXPECT_EQ(kept({contour}), 0u);
-    DrawnLine longer = zigzag(0, 6);
-    longer.jump = 5;
-    EXPECT_EQ(kept({longer}), 1u);
-    DrawnLine exact = zigzag(0, 4, true);
-    exact.jump = 5;
-    EXPECT_EQ(kept({exact}), 1u);
+TEST(Specks, AreShortLinesThatMeetNothing) {
+    for (const bool is_exact : {false, true}) {
+        DrawnLine line = zigzag(0, 4, is_exact);  // 1.5 mm
+        line.jump = 5;
+        EXPECT_EQ(kept({line}), 0u);
+        DrawnLine longer = zigzag(0, 6, is_exact);
+        longer.jump = 5;
+        EXPECT_EQ(kept({longer}), 1u);
+    }
+}
+
+/// Parts of a ring of this radius, mm, that meet at nodes.
+std::vector<DrawnLine> ring(double radius, int parts, int of) {
+    std::vector<DrawnLine> lines;
+    for (int part = 0; part < parts; ++part) {
+        DrawnLine line{LineClass::Edge, false, {}};
+        for (int i = 0; i <= 4; ++i) {
+            const double angle = 6.283185307179586 * (part + i / 4.) / of;
+            line.points.push_back({radius * Vector2d(std::cos(angle), std::sin(angle))});
+        }
+        line.points.front().node = std::uint32_t(part);
+        line.points.back().node = std::uint32_t((part + 1) % of);
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+TEST(Specks, AreSmallNetsInWhichNoWayLeadsAround) {
+    EXPECT_EQ(kept(ring(0.5, 3, 3)), 3u);  // a hole of a screw
+    EXPECT_EQ(kept(ring(0.5, 2, 3)), 0u);  // what is left of one
+    EXPECT_EQ(kept(ring(2, 2, 3)), 2u);
+    EXPECT_EQ(kept(ring(0.1, 3, 3)), 0u);  // a dot
+}
+
+/// Of a foot that a wall hides in parts.
+TEST(Specks, AreNotEdgesThatLowContoursContinue) {
+    DrawnLine line = zigzag(0.1, 41);
+    line.jump = 0.2;
+    for (std::size_t i = 30; i < line.points.size(); ++i)
+        line.points[i].is_exact = true;
+    const auto rest = without_specks({line}, SheetOptions());
+    ASSERT_EQ(rest.size(), 1u);
+    EXPECT_EQ(rest[0].points.front().position, line.points[30].position);
 }
 
 constexpr double kTolerance = 0.02;

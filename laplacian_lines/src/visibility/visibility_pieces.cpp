@@ -15,6 +15,10 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr double kBeside = 1e-5;  // D: a third of what the turn of the eye moves
+// Cosines of normals to the way to the eye.
+constexpr double kEdgeOn = 0.05, kFacing = 0.3;
+
 /// A crossing on a segment.
 struct Division {
     std::uint32_t segment;
@@ -41,6 +45,25 @@ Eigen::Vector2f middle_of(const VisibilitySegments& all, const VisibilityPiece& 
     return (a + t * (b - a)).head<2>().cast<float>();
 }
 
+/// Whether the foot of a wall that is seen edge-on is hidden by no more than the wall's unevenness:
+/// the face at the foot is seen right beside it.
+bool is_foot_seen(const VisibilitySegments& all, const VisibilitySegment& segment,
+                  const Vector3d& point, std::uint32_t& occluder) {
+    const VisibilityMesh& mesh = all.picture.mesh();
+    if (mesh.side_count(segment.edge) != 2) return false;
+    const VisibilityMesh::Side* const sides = mesh.sides_of(segment.edge);
+    const Vector3d to_eye = all.picture.frame().towards_eye(point).normalized();
+    const auto slope = [&](int i) { return std::abs(mesh.normal(sides[i].triangle).dot(to_eye)); };
+    const int wall = slope(0) < slope(1) ? 0 : 1;
+    const VisibilityMesh::Side& face = sides[1 - wall];
+    if (slope(wall) > kEdgeOn || slope(1 - wall) < kFacing) return false;
+    const Vector3d &a = all.position(segment.points[0]), &b = all.position(segment.points[1]);
+    const Vector3d inwards =
+        (face.is_reversed ? 1 : -1) * (b - a).cross(mesh.normal(face.triangle)).normalized();
+    return !all.picture.cast_ray(point + kBeside * inwards, &face, 1, mesh.precision, occluder)
+                .is_hidden;
+}
+
 /// Decides about a piece by a ray through its middle; `occluder`: see Picture::cast_ray().
 void decide(const VisibilitySegments& all, VisibilityPiece& piece, std::uint32_t& occluder) {
     const VisibilitySegment& segment = all.segments[piece.segment];
@@ -50,10 +73,12 @@ void decide(const VisibilitySegments& all, VisibilityPiece& piece, std::uint32_t
                                                     all.projected(segment.points[1]), t);
     const Vector3d &a = all.position(segment.points[0]), &b = all.position(segment.points[1]);
     const bool is_edge = segment.edge != VisibilitySegment::kNone;
-    const RayHits hits =
-        all.picture.cast_ray(a + share * (b - a), is_edge ? mesh.sides_of(segment.edge) : nullptr,
-                             is_edge ? mesh.side_count(segment.edge) : 0,
-                             is_edge ? mesh.precision : mesh.line_precision, occluder);
+    const Vector3d point = a + share * (b - a);
+    RayHits hits = all.picture.cast_ray(point, is_edge ? mesh.sides_of(segment.edge) : nullptr,
+                                        is_edge ? mesh.side_count(segment.edge) : 0,
+                                        is_edge ? mesh.precision : mesh.line_precision, occluder);
+    if (hits.is_hidden && is_edge && segment.is_exact)
+        hits.is_hidden = !is_foot_seen(all, segment, point, occluder);
     piece.is_hidden = hits.is_hidden;
     // of a crease at a face seen edge-on the ray, which leaves out that face, finds what is inside
     const bool is_crease =

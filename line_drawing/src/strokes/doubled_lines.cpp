@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <unordered_map>
 
 #include "strokes/drawn_lines.h"
 #include "strokes/refining.h"
@@ -207,67 +206,6 @@ std::vector<DrawnLine> without_equal(const std::vector<DrawnLine>& lines, double
     return rest;
 }
 
-// mm; the second one of contours of curved surfaces, which the roughness of a scan makes
-constexpr double kShortestLine = 0.8, kShortestContourEnd = 3 * kShortestLine;
-
-bool is_speck(const DrawnLine& line, const SheetOptions& options) {
-    return is_curved_contour(line) && line.jump < options.pens[std::size_t(LineClass::Inner)];
-}
-
-class Nodes {
-public:
-    explicit Nodes(const std::vector<DrawnLine>& lines) {
-        for (const DrawnLine& line : lines)
-            for (std::size_t i = line.closed ? 1 : 0; i < line.points.size(); ++i)
-                if (line.points[i].node != laplacian_lines::kNoNode) ++lines_[line.points[i].node];
-    }
-
-    bool is_junction(const DrawnPoint& point) const {
-        const auto found = lines_.find(point.node);
-        return found != lines_.end() && found->second > 1;
-    }
-
-private:
-    std::unordered_map<std::uint32_t, int> lines_;
-};
-
-/// Of what ends in nothing. A contour that meets nothing at all and is shorter than √h goes round a
-/// triangle or two which face away by chance.
-double shortest_end(const Nodes& nodes, const DrawnLine& line, const SheetOptions& options) {
-    if (!is_curved_contour(line)) return kShortestLine;
-    const bool is_alone = std::none_of(line.points.begin(), line.points.end(),
-                                       [&](const DrawnPoint& p) { return nodes.is_junction(p); });
-    return is_alone ? std::max(kShortestContourEnd, options.kernel.size) : kShortestContourEnd;
-}
-
-/// Cuts off ends shorter than `shortest` between nothing and the next junction.
-void trim_end(const Nodes& nodes, double shortest, std::vector<DrawnPoint>& points) {
-    if (points.size() < 2 || nodes.is_junction(points.back())) return;
-    std::size_t last = points.size() - 1;
-    while (last > 0 && !nodes.is_junction(points[last]))
-        --last;
-    if (length_of(points, last) < shortest) points.resize(last + 1);
-}
-
-/// A loop that its stroke fills is a dot, which shows no form.
-bool is_dot(const DrawnLine& line, double shortest) {
-    Eigen::AlignedBox2d box;
-    for (const DrawnPoint& point : line.points)
-        box.extend(point.position);
-    return box.sizes().maxCoeff() < shortest / 2 || length_of(line.points) < shortest;
-}
-
-void trim(const Nodes& nodes, double shortest, DrawnLine& line) {
-    if (line.closed) {
-        if (is_dot(line, shortest)) line.points.clear();
-        return;
-    }
-    trim_end(nodes, shortest, line.points);
-    std::reverse(line.points.begin(), line.points.end());
-    trim_end(nodes, shortest, line.points);
-    std::reverse(line.points.begin(), line.points.end());
-}
-
 }  // namespace
 
 std::vector<DrawnLine> without_doubles(std::vector<DrawnLine> lines, double reach) {
@@ -294,20 +232,6 @@ std::vector<DrawnLine> without_doubles(std::vector<DrawnLine> lines, double reac
     }
     join_loose_ends(rest, left_out, reach);
     return without_equal(rest, reach);
-}
-
-std::vector<DrawnLine> without_specks(std::vector<DrawnLine> lines, const SheetOptions& options) {
-    lines.erase(std::remove_if(lines.begin(), lines.end(),
-                               [&](const DrawnLine& line) { return is_speck(line, options); }),
-                lines.end());
-    const Nodes nodes(lines);
-    for (DrawnLine& line : lines)
-        if (line.line_class != LineClass::Outline)
-            trim(nodes, shortest_end(nodes, line, options), line);
-    lines.erase(std::remove_if(lines.begin(), lines.end(),
-                               [](const DrawnLine& line) { return line.points.size() < 2; }),
-                lines.end());
-    return lines;
 }
 
 }  // namespace line_drawing

@@ -10,7 +10,8 @@
 namespace line_drawing {
 
 /// Removes specks, on the sheet: contours of curved surfaces before a jump in depth of less than a
-/// pen, lines and ends of lines shorter than the shortest one that end in nothing. Outlines stay.
+/// pen, small sets of connected lines in which no way leads around, dots, and short ends in
+/// nothing. Outlines stay.
 std::vector<DrawnLine> without_specks(std::vector<DrawnLine> lines, const SheetOptions& options);
 
 /// Joins ends that have lost the line they met: by `left_out` short lines that lead on to another,
