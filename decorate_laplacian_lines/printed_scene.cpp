@@ -106,8 +106,8 @@ std::optional<line_drawing::WindowView> window_of(const Eigen::Matrix4d& to_eye,
     const std::optional<meshlab_host::Similarity> similarity = meshlab_host::similarity_of(to_eye);
     if (!similarity) return std::nullopt;
     const Eigen::Matrix3d& axes = similarity->rotation;
-    line_drawing::ViewFrame frame{line_drawing::Side::Other, "View", axes.row(0).normalized(),
-                                  axes.row(1).normalized(), axes.row(2).normalized()};
+    line_drawing::ViewFrame frame =
+        line_drawing::frame_of_axes("View", axes.row(2).normalized(), axes.row(1).normalized());
     if (!meshlab_host::is_orthographic(projection)) frame.eye = to_eye.inverse().col(3).head<3>();
     return line_drawing::WindowView{frame, projection * to_eye, size, pixels_per_mm};
 }

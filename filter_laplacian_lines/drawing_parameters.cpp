@@ -3,6 +3,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <algorithm>
 
 #include "line_drawing/words.h"
 #include "meshlab_host/camera.h"
@@ -37,17 +38,21 @@ const char* const kWindowView = "window";
 const QString kFolderPlace = "{folder}", kNamePlace = "{name}";
 
 QString folder_of(const MeshModel& mesh) {
-    return QFileInfo(mesh.fullName()).absolutePath();
+    return mesh.fullName().isEmpty() ? QDir::currentPath()
+                                     : QFileInfo(mesh.fullName()).absolutePath();
 }
 QString name_of(const MeshModel& mesh) {
     return QFileInfo(mesh.fullName().isEmpty() ? mesh.label() : mesh.fullName()).completeBaseName();
 }
 
 ViewFrame frame_of(const CurrentView& window) {
-    ViewFrame frame{line_drawing::Side::Other, "View", window.up.cross(window.towards_viewer),
-                    window.up, window.towards_viewer};
-    if (!window.is_orthographic) frame.eye = window.eye;
-    return frame;
+    return line_drawing::frame_of_axes(
+        "View", window.towards_viewer, window.up,
+        window.is_orthographic ? std::nullopt : std::optional(window.eye));
+}
+
+bool is_window(const std::string& view) {
+    return line_drawing::lower(view) == kWindowView;
 }
 
 void take_from_decoration(SheetOptions& options) {
@@ -92,7 +97,7 @@ DrawingParameters for_any_mesh(DrawingParameters chosen, const MeshModel& mesh,
                                const CurrentView& window) {
     line_drawing::Words views = line_drawing::words_of(chosen.views);
     for (std::string& view : views)
-        if (line_drawing::lower(view) == kWindowView) view = frame_text(frame_of(window));
+        if (is_window(view)) view = frame_text(frame_of(window));
     chosen.views = line_drawing::joined(views, " ");
     const QFileInfo file(QString::fromStdString(chosen.file));
     QString name = file.fileName();
@@ -107,7 +112,8 @@ DrawingParameters for_any_mesh(DrawingParameters chosen, const MeshModel& mesh,
 
 SheetOptions sheet_options(const DrawingParameters& chosen,
                            const std::optional<CurrentView>& window) {
-    if (QString::fromStdString(chosen.views).contains(kWindowView, Qt::CaseInsensitive) && !window)
+    const line_drawing::Words views = line_drawing::words_of(chosen.views);
+    if (!window && std::any_of(views.begin(), views.end(), is_window))
         refuse(
             "There is no window whose view could be drawn. Name other \"Views\", such as front, "
             "six or 30,15.");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QString>
 #include <optional>
+#include <string>
 
 #include "line_drawing/sheet_choices.h"
 #include "meshlab_host/current_view.h"
@@ -11,8 +11,8 @@
 /// The user's choices; the filter has a part of line_drawing::sheet_option_table().
 using DrawingParameters = line_drawing::SheetChoices;
 
-/// The file is beside the mesh's; with a window its view and the likely unit. Scripts have the same
-/// everywhere.
+/// The file lies beside the mesh's. With a window: its view, and the likely unit; without, the same
+/// for every mesh.
 DrawingParameters drawing_defaults(const MeshModel* mesh, bool has_window);
 
 void list_drawing_parameters(const DrawingParameters& defaults, RichParameterList& list);
@@ -20,8 +20,10 @@ void list_drawing_parameters(const DrawingParameters& defaults, RichParameterLis
 /// @throws laplacian_lines::Error(InvalidOption) that names a parameter out of range
 DrawingParameters read_drawing_parameters(const RichParameterList& list);
 
-// Placeholders in the file's name: {folder} and {name}.
+// In a drawing's file, {folder} and {name} stand for the folder of the mesh's file, and its name
+// without the ending.
 
+/// With the placeholders replaced.
 std::string file_for(const MeshModel& mesh, const std::string& file);
 /// For scripts: with these placeholders, and the window's view as text.
 DrawingParameters for_any_mesh(DrawingParameters chosen, const MeshModel& mesh,

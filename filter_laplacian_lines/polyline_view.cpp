@@ -11,10 +11,7 @@ using meshlab_host::CurrentView;
 
 namespace {
 
-/// Wider perspective views get a warning.
-constexpr double kWidestAngle = 60;  // degrees
-
-QString view_text(const Eigen::Vector3d& v) {
+QString numbers_text(const Eigen::Vector3d& v) {
     return QString("%1 %2 %3").arg(v.x(), 0, 'g', 6).arg(v.y(), 0, 'g', 6).arg(v.z(), 0, 'g', 6);
 }
 
@@ -25,12 +22,6 @@ Eigen::Vector3d upwards(const Eigen::Vector3d& towards_viewer) {
     const Eigen::Vector3d up = is_upright ? Eigen::Vector3d(0, 1, 0) : Eigen::Vector3d(0, 0, -y);
     return (up - up.dot(towards_viewer) * towards_viewer / towards_viewer.squaredNorm())
         .normalized();
-}
-
-ViewFrame make_frame(const Eigen::Vector3d& towards_viewer, const Eigen::Vector3d& up,
-                     const std::optional<Eigen::Vector3d>& eye = std::nullopt) {
-    return {
-        line_drawing::Side::Other, "", up.cross(towards_viewer), up, towards_viewer, false, eye};
 }
 
 }  // namespace
@@ -44,16 +35,19 @@ ViewFrame frame_of(const PolylineParameters& chosen, const Eigen::Vector3d& cent
                     "There is no window with a current view. Set \"View\" to 3 (Front) or another "
                     "side, to 1 (Perspective) and give a viewpoint, or to 2 (Orthographic) and "
                     "give a view direction.");
-            return make_frame(window->towards_viewer, window->up,
-                              window->is_orthographic ? std::nullopt : std::optional(window->eye));
+            return line_drawing::frame_of_axes(
+                "", window->towards_viewer, window->up,
+                window->is_orthographic ? std::nullopt : std::optional(window->eye));
         case ViewChoice::Perspective: {
             const Eigen::Vector3d back = chosen.viewpoint - centre;
             const Eigen::Vector3d towards_viewer =
                 back.isZero(0) ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(back.normalized());
-            return make_frame(towards_viewer, upwards(towards_viewer), chosen.viewpoint);
+            return line_drawing::frame_of_axes("", towards_viewer, upwards(towards_viewer),
+                                               chosen.viewpoint);
         }
         case ViewChoice::Orthographic:
-            return make_frame(chosen.view_direction.normalized(), upwards(chosen.view_direction));
+            return line_drawing::frame_of_axes("", chosen.view_direction.normalized(),
+                                               upwards(chosen.view_direction));
         default:
             break;
     }
@@ -63,10 +57,10 @@ ViewFrame frame_of(const PolylineParameters& chosen, const Eigen::Vector3d& cent
 }
 
 QString view_text(const ViewFrame& frame, const PolylineParameters& chosen) {
-    if (frame.eye) return "perspective, from the viewpoint " + view_text(*frame.eye);
+    if (frame.eye) return "perspective, from the viewpoint " + numbers_text(*frame.eye);
     const bool is_chosen = chosen.view == ViewChoice::Orthographic;
     const QString words = "orthographic, along the view direction " +
-                          view_text(is_chosen ? chosen.view_direction : frame.towards_viewer);
+                          numbers_text(is_chosen ? chosen.view_direction : frame.towards_viewer);
     return frame.name.empty() ? words
                               : QString("%1 (%2)").arg(words, QString::fromStdString(frame.name));
 }
@@ -89,21 +83,24 @@ laplacian_lines::View view_of(const ViewFrame& frame, const PolylineParameters& 
 
 QString nearness_warning(const ViewFrame& frame, const Eigen::AlignedBox3d& box) {
     if (!frame.eye || box.isEmpty()) return {};
-    const Eigen::Vector3d viewpoint = *frame.eye;
-    double widest = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-        const Eigen::Vector3d ray = box.corner(Eigen::AlignedBox3d::CornerType(corner)) - viewpoint;
-        widest = std::max(widest, std::atan2(ray.cross(frame.towards_viewer).norm(),
-                                             -ray.dot(frame.towards_viewer)));
-    }
-    const bool is_within = box.contains(viewpoint);
-    if (!is_within && widest < kWidestAngle * std::acos(-1.0) / 180) return {};
+    const auto is_in_sight = [&](int corner) {
+        const Eigen::Vector3d ray =
+            box.corner(Eigen::AlignedBox3d::CornerType(corner)) - *frame.eye;
+        return ray.cross(frame.towards_viewer).norm() <
+               -line_drawing::kTangentOfHalfView * ray.dot(frame.towards_viewer);
+    };
+    int corner = 0;
+    while (corner < 8 && is_in_sight(corner))
+        ++corner;
+    const bool is_within = box.contains(*frame.eye);
+    if (!is_within && corner == 8) return {};
     return QString(
-               "Warning: the viewpoint %1 is %2 of the layer, which reaches from %3 to %4: not "
+               "Warning: the viewpoint %1 %2 of the layer, which reaches from %3 to %4: not "
                "all of it is in sight. Take a viewpoint farther away, or one of the sides as "
                "View, such as Front.")
-        .arg(view_text(viewpoint), is_within ? "within the bounding box" : "close to the box",
-             view_text(box.min()), view_text(box.max()));
+        .arg(numbers_text(*frame.eye),
+             is_within ? "is within the bounding box" : "does not look at all of the box",
+             numbers_text(box.min()), numbers_text(box.max()));
 }
 
 void add_results(const ViewFrame& frame, meshlab_host::FilterResults& results) {

@@ -12,8 +12,8 @@
 
 // The camera of the polyline filter, in world coordinates.
 
-/// Perspective eyes look at `centre` of the mesh. @throws laplacian_lines::Error(InvalidOption) if
-/// there is no window's view to take
+/// A viewpoint that was chosen looks at `centre` of the mesh. @throws
+/// laplacian_lines::Error(InvalidOption) if there is no window's view to take
 line_drawing::ViewFrame frame_of(const PolylineParameters& chosen, const Eigen::Vector3d& centre,
                                  const std::optional<meshlab_host::CurrentView>& window);
 

@@ -130,10 +130,10 @@ private:
         for (const LinePoint* point = first + 1; point <= last; ++point) {
             const SeenPoint next = screen.see(*point);
             const float mark = mark_of(line, point[-1], *point);
-            if (keeps_all ? point > first + 1 : mark != last_mark || !piece_.takes(next)) {
+            if (keeps_all ? point > first + 1 : mark != last_mark || !piece_.try_extend(next)) {
                 put_start(candidate, mark);
                 piece_.begin(seen);
-                piece_.takes(next);
+                piece_.try_extend(next);
             }
             last_mark = mark;
             if (settings_.is_measured) length += length_between(seen, next);

@@ -9,7 +9,7 @@ namespace line_renderer {
 namespace {
 
 /// Share of the tolerance for points that go backwards.
-constexpr float kFallbackShare = 0.2f;
+constexpr float kBackwardShare = 0.2f;
 /// Pixels; nearer than this values have to stay, instead of having a slope.
 constexpr float kLeastReach = 1e-3f;
 
@@ -20,7 +20,7 @@ float cross(const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
 }  // namespace
 
 StraightPiece::StraightPiece(float tolerance)
-    : aside_((1 - kFallbackShare) * tolerance), fallback_(kFallbackShare * tolerance) {}
+    : aside_((1 - kBackwardShare) * tolerance), backward_(kBackwardShare * tolerance) {}
 
 void StraightPiece::begin(const SeenPoint& start) {
     start_ = start;
@@ -32,7 +32,7 @@ void StraightPiece::begin(const SeenPoint& start) {
     greatest_slope_.fill(std::numeric_limits<float>::infinity());
 }
 
-bool StraightPiece::takes(const SeenPoint& point) {
+bool StraightPiece::try_extend(const SeenPoint& point) {
     is_open_ = is_open_ && point.is_before_eye;
     const Vector offset = point.pixel - start_.pixel;
     const float distance = offset.norm();
@@ -43,7 +43,7 @@ bool StraightPiece::takes(const SeenPoint& point) {
 }
 
 bool StraightPiece::can_end(const SeenPoint& point, const Vector& offset, float distance) const {
-    if (!(distance >= reach_ - fallback_)) return false;
+    if (!(distance >= reach_ - backward_)) return false;
     if (has_cone_ && !(cross(right_, offset) >= 0 && cross(offset, left_) >= 0)) return false;
     const float reach = std::max(reach_, distance);
     for (int i = 0; i < kSeenValueCount; ++i) {
@@ -76,12 +76,12 @@ void StraightPiece::narrow_directions(const Vector& offset, float distance) {
 }
 
 void StraightPiece::narrow_slopes(const SeenPoint& point) {
-    const float a_pixel = 1 / reach_;
+    const float per_pixel = 1 / reach_;
     for (int i = 0; i < kSeenValueCount; ++i) {
         const float rise = point.values[i] - start_.values[i];
         const float tolerance = point.tolerance[i];
-        least_slope_[i] = std::max(least_slope_[i], (rise - tolerance) * a_pixel);
-        greatest_slope_[i] = std::min(greatest_slope_[i], (rise + tolerance) * a_pixel);
+        least_slope_[i] = std::max(least_slope_[i], (rise - tolerance) * per_pixel);
+        greatest_slope_[i] = std::min(greatest_slope_[i], (rise + tolerance) * per_pixel);
     }
 }
 

@@ -31,9 +31,9 @@ public:
     explicit StraightPiece(float tolerance);
 
     void begin(const SeenPoint& start);
-    /// Whether a segment to `point` can replace all points since begin(); if so, adds the point.
+    /// Adds the point if a segment to it can replace all points since begin(), and returns whether.
     /// Always true for the first point, never after one behind the eye.
-    bool takes(const SeenPoint& point);
+    bool try_extend(const SeenPoint& point);
 
 private:
     using Vector = Eigen::Vector2f;
@@ -44,15 +44,15 @@ private:
     void narrow_slopes(const SeenPoint& point);
 
     const float aside_;     ///< pixels beside the segment
-    const float fallback_;  ///< pixels by which the distance from the start may fall
+    const float backward_;  ///< pixels by which the distance from the start may fall
 
     SeenPoint start_;
     bool is_empty_ = true;
     bool is_open_ = true;
-    float reach_ = 0;  ///< greatest distance from the start so far, pixels, and a little
+    float reach_ = 0;  ///< greatest distance from the start so far, pixels, at least kLeastReach
     bool has_cone_ = false;
     Vector right_, left_;  ///< directions between which all further points have to be
-    SeenValues least_slope_, greatest_slope_;  ///< a pixel of reach
+    SeenValues least_slope_, greatest_slope_;  ///< per pixel of reach
 };
 
 }  // namespace line_renderer

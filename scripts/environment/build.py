@@ -24,7 +24,7 @@ def ctest(build, label, regexes=(), processes=1):
     """The command that runs the tests of a label, "" for all but those that take minutes, whose names match a regex."""
     labels = ["--label-regex", label] if label else [] if regexes else ["--label-exclude", "^reach$"]
     names = ["--tests-regex", "|".join(regexes)] if regexes else []
-    return ["ctest", "--test-dir", build, "--output-on-failure", "--parallel", str(processes), *labels, *names]
+    return ["ctest", "--test-dir", build, "--no-tests=error", "--output-on-failure", "--parallel", str(processes), *labels, *names]
 
 
 def build_folder(checkout=CHECKOUT):

@@ -228,4 +228,14 @@ TEST(Subdivisions, StayOnFormsOfFewLargeTriangles) {
                   subdivided(form, std::min(times, 4)).triangles.size());
 }
 
+/// Each second vertex of a smooth grid is nearly the middle of its neighbours.
+TEST(Subdivisions, AreNotSeenInGridsFarFromTheOrigin) {
+    TriangleMesh terrain = test_meshes::hills(128).mesh;
+    for (Eigen::Vector3d& p : terrain.positions)
+        p = 64 * Eigen::Vector3d(p.x(), p.y(), 0.1 * p.z());
+    for (const Eigen::Vector3d& corner : {Eigen::Vector3d(4e5, 5.8e6, 30), {4e6, 8e5, 4.9e6}})
+        EXPECT_GE(refined(test_meshes::moved(terrain, corner)).triangles.size(),
+                  terrain.triangles.size());
+}
+
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <QDir>
+
 #include <QCoreApplication>
 #include <QStringList>
 
@@ -85,6 +87,9 @@ TEST(DrawingParameters, AreRecordedForAnyMesh) {
     EXPECT_EQ(recorded.views, "front toward 1 0 0 0 0 1");
     EXPECT_EQ(file_for(mesh, recorded.file), chosen.file);
     EXPECT_EQ(file_for(next, recorded.file), "/more/18_drawing.svg");
+    const MeshModel& made = *document.addNewMesh("", "box");
+    EXPECT_EQ(file_for(made, recorded.file),
+              (QDir::currentPath() + "/box_drawing.svg").toStdString());
     EXPECT_EQ(sheet_options(recorded, std::nullopt).views.at(1).right, Eigen::Vector3d(0, 1, 0));
     chosen.file = "/elsewhere/find.17.svg";
     EXPECT_EQ(for_any_mesh(chosen, mesh, kWindow).file, chosen.file);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "laplacian_lines/error.h"
 #include "laplacian_lines/field.h"
 
 namespace laplacian_lines {
@@ -109,6 +110,11 @@ inline std::vector<FieldColumn> present_columns(const Field& field) {
     for (const FieldColumn& column : kFieldColumns)
         if (is_present(column, field)) present.push_back(column);
     return present;
+}
+
+[[noreturn]] inline void refuse_field() {
+    refuse("The Laplacian lines field belongs to another mesh; compute it again.",
+           ErrorCode::FieldMismatch);
 }
 
 /// Whether every column that is present or required has this many entries.

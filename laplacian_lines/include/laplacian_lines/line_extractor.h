@@ -41,8 +41,8 @@ public:
 
     /// Replaces `lines` with the lines of this view, in an order that depends on the input alone.
     /// Thread-safe, each thread with its own scratch and line set.
-    /// @throws Error(InvalidOption) if a style value is out of range, or if the view is not finite
-    /// or has a direction of length 0
+    /// @throws Error(InvalidOption) if a style value is out of range, or if the view or its light
+    /// is not finite or has a direction of length 0
     void extract(const View& view, const LineStyle& style, ExtractionScratch& scratch,
                  LineSet& lines) const;
 
@@ -51,7 +51,7 @@ public:
     /// @throws Error(FieldMismatch, InvalidMesh, EmptyMesh)
     void add_derivatives(const TriangleMesh& mesh, const Field& field);
 
-    /// Bytes.
+    /// Bytes, without lines that do not depend on the view, which are found when first shown.
     std::size_t memory() const;
 
 private:

@@ -31,7 +31,6 @@ struct LineKindDescription {
     const char* one;                 ///< a line of this kind, within a sentence
     const char* many;                ///< several
     bool is_outline = false;         ///< bounds the form; the others describe what is inside
-    bool is_on_horizon = false;      ///< where the surface turns away from the eye
     bool shown = true;               ///< by default
     bool needs_derivatives = false;  ///< needs Field::has_derivatives()
     std::uint32_t color = 0;         ///< by default, 0xRRGGBB
@@ -55,11 +54,6 @@ struct LineKindDescription {
         row.needs_derivatives = true;
         return row;
     }
-    constexpr LineKindDescription on_horizon() const {
-        LineKindDescription row = *this;
-        row.is_on_horizon = true;
-        return row;
-    }
     constexpr LineKindDescription in_color(std::uint32_t rgb) const {
         LineKindDescription row = with_key_color(rgb);
         row.color = rgb;
@@ -79,8 +73,7 @@ inline constexpr std::array kLineKinds = {
                         "Laplacian line", "Laplacian lines"},
     LineKindDescription{LineKind::Contour, "contours", "Outlines",
                         "Where the surface turns away from the eye.", "outline", "outlines"}
-        .as_outline()
-        .on_horizon(),
+        .as_outline(),
     LineKindDescription{LineKind::Ridge, "ridges", "Ridges",
                         "Convex edges of the form, sharp or rounded.", "ridge", "ridges"}
         .with_key_color(0x7a4b2a),

@@ -27,14 +27,14 @@ double depth_bias_edge(const Field& field);
 
 /// In the unit of `diagonal` and `depth_bias_edge`, see there.
 inline double depth_bias(LineKind kind, double diagonal, double depth_bias_edge) {
-    const double beyond = describe(kind).is_on_horizon ? kContourDepthBias * depth_bias_edge : 0;
+    const double beyond = kind == LineKind::Contour ? kContourDepthBias * depth_bias_edge : 0;
     return beyond > kDepthBias * diagonal ? beyond : kDepthBias * diagonal;
 }
 
 /// Whether a line runs along the triangles' horizon, on a mesh edge, between two of its points;
 /// these have no gradient. Other parts of contours are only near it.
 inline bool follows_edge(LineKind kind, const LinePoint& from, const LinePoint& to) {
-    return describe(kind).is_on_horizon && from.gradient == 0 && to.gradient == 0;
+    return kind == LineKind::Contour && from.gradient == 0 && to.gradient == 0;
 }
 
 /// The lines of a view as they lie on the surface, for LineVisibility: unsmoothed, so that each

@@ -32,7 +32,7 @@ struct OptionDescription {
     const char* label;  ///< short name in dialogs
     const char* help;   ///< what it does, with its unit
     OptionKind kind;
-    double minimum;  ///< of numbers, as all limits
+    double minimum;  ///< of numbers; texts and vectors have no limits
     double maximum;  ///< kUnlimited if there is none
     std::vector<const char*> choices;
 };

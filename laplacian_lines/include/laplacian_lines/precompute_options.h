@@ -20,25 +20,26 @@ enum class GradientEstimator {
 constexpr double kLeastKernelEdges = 1;
 
 /// Options of the view-independent field; the defaults need no tuning per model. ē is the mean edge
-/// length of the mesh, D the diagonal of its bounding box. Names, limits and help, but of the two
-/// for drawings, which programs set: option_table.h.
+/// length of the mesh, before refined(), D the diagonal of its bounding box. Names, limits and
+/// help, but of the two for drawings, which programs set: option_table.h.
 struct PrecomputeOptions {
     /// √h, mesh units; the Gaussian of Eq. 2 has the standard deviation √2·√h. 0: automatic,
-    /// max(ē, 0.45 % of D), of CAD meshes with large triangles 2 % of D.
+    /// max(ē, 0.45 % of D), with 0.6 ē of refined() meshes; 2 % of D of CAD meshes with large
+    /// triangles.
     double kernel_size = 0;
-    /// For drawings at a given size: if > 0, √h in mesh units instead of kernel_size, from
-    /// least_drawn_edges · ē to 4 % of D, or the former where that is more. An automatic
-    /// normal_sigma is then at least a quarter of it.
+    /// For drawings at a given size: if > 0, √h in mesh units instead of kernel_size, but at least
+    /// least_drawn_edges times what is ē above, or 2 % of D, and at most 4 % of D or that. An
+    /// automatic normal_sigma is then a quarter of √h or more, but 0 on CAD meshes.
     double drawn_kernel_size = 0;
     double least_drawn_edges = kLeastKernelEdges;  ///< > 0, with drawn_kernel_size alone
     LaplaceOperator laplace_operator = LaplaceOperator::Belkin;
-    /// Relative RMS error of Δn that summing the heat kernel may add, 1e-6..0.1 (rounding ends at
-    /// 4e-6). Smaller is slower.
+    /// Relative RMS error of Δn that summing the heat kernel may add; rounding ends at 4e-6.
+    /// Smaller is slower.
     double accuracy = 1e-3;
     NormalSmoothing normal_smoothing = NormalSmoothing::Gaussian;
-    /// Standard deviation of the smoothing, in mean edges. 0: automatic, none on clean meshes, up
-    /// to 0.8 where triangles are finer than the kernel and up to 2.5 on rough meshes, see
-    /// automatic_normal_sigma(). None at all: NormalSmoothing::None.
+    /// Standard deviation of the smoothing, in ē. 0: automatic, none on CAD meshes with large
+    /// triangles; else what noise asks for, see automatic_normal_sigma(), or up to 0.8 where
+    /// triangles are finer than the kernel. None at all: NormalSmoothing::None.
     double normal_sigma = 0;
     GradientEstimator gradient_estimator = GradientEstimator::TriangleFit;
     double gradient_radius = 3.0;  ///< ball of the least squares fit, in mean edges
@@ -52,11 +53,8 @@ struct PrecomputeOptions {
     bool curvature_derivatives = false;
 };
 
-/// The automatic √h. Lengths in any unit; the result has the same one.
+/// The automatic √h of all but CAD meshes. Lengths in any unit; the result has the same one.
 double automatic_kernel_size(double mean_edge, double diagonal);
-
-/// √h in widths of the inner lines of a drawing: smaller kernels crowd lines, larger lose detail.
-constexpr double kDrawnKernelWidths = 4;
 
 /// In mean edges, given MeshReport::roughness.
 double automatic_normal_sigma(double roughness);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The mesh as a redraw reads it, see cluster_data.h:
 //  1. It is cut into clusters of neighbours, and what is across their borders is noted.
-//  2. It is judged as a whole: sheet or body, contours along edges or not, what is convex and what
-//     has no feature of its own.
+//  2. Before and after, it is judged as a whole: sheet or body, contours along edges or not, what
+//  is
+//     convex and what has no feature of its own.
 //  3. Each cluster gets a place in one block of memory.
-//  4. Clusters are written, several at once: triangles, vertices, the linear forms n·v and ΔI, and
-//     bounds of the normals, by which a redraw skips what faces away.
+//  4. Clusters are written, several at once: triangles, vertices, the linear form n·v, and bounds
+//  of
+//     the normals, by which a redraw skips what faces away. The forms of ΔI follow in
+//     extractor_data.cpp.
 #include "clusters/cluster_building.h"
 
 #include <Eigen/Geometry>
@@ -43,7 +46,7 @@ public:
         links_ = link_clusters(mesh_, sides, partition_);
         data_.border_edge_count = links_.number_count;
         data_.vertex_count = std::uint32_t(mesh_.size());
-        judge_borders();
+        judge_borders(sides);
         if (follows_edges(mesh_, data_.flat_share > kCadShare, field_))
             data_.horizon = find_edge_horizon(mesh_, sides, data_.is_body);
         find_convex();
@@ -57,7 +60,7 @@ public:
 private:
     using Values = std::vector<LocalVertex>;  // of a cluster's vertices
 
-    /// Finds the vertices that are convex by is_convex(), as are all their neighbours.
+    /// Finds the vertices where is_convex() holds, and those where it holds at all neighbours too.
     void find_convex() {
         convex_.resize(mesh_.size());
         for_each_element(mesh_.size(), [&](std::size_t v) {
@@ -78,21 +81,24 @@ private:
         featureless_ = find_featureless_triangles(mesh_, shapes_);
     }
 
-    void judge_borders() {
-        const double borders = sum_of(3 * mesh_.triangles.size(), [&](std::size_t side) {
-            if (links_.across[side] != ClusterLinks::kNobody) return 0.;
-            const Triangle& t = mesh_.triangles[partition_.order[side / 3]];
-            return (mesh_.positions[t[side % 3]] - mesh_.positions[t[(side + 1) % 3]]).norm();
+    void judge_borders(const CornerTable& sides) {
+        const double borders = sum_of(sides.side_count(), [&](std::size_t i) {
+            const auto side = std::uint32_t(i);
+            if (sides.across(side) != CornerTable::kBorder) return 0.;
+            return (mesh_.positions[end_of(mesh_.triangles, side)] -
+                    mesh_.positions[begin_of(mesh_.triangles, side)])
+                .norm();
         });
         const auto sum_over_triangles = [&](auto value_of) {
             return sum_of(mesh_.triangles.size(),
                           [&](std::size_t i) { return value_of(mesh_.triangles[i]); });
         };
+        const bool is_manifold = 2 * sides.edge_count() == sides.side_count();
         if (borders > 0) {
             const double area = sum_over_triangles(
                 [&](const Triangle& t) { return area_vector(mesh_, t).norm() / 2; });
             data_.is_sheet = borders > kLeastSheetBorders * std::sqrt(area);
-        } else {
+        } else if (is_manifold) {
             const double volume = sum_over_triangles([&](const Triangle& t) {  // six times
                 return mesh_.positions[t[0]].dot(
                     mesh_.positions[t[1]].cross(mesh_.positions[t[2]]));

@@ -32,16 +32,10 @@ std::size_t bytes(const std::vector<T>& v) {
 // In D: floats of coordinates beyond are coarser than 1e-6 D.
 constexpr double kFar = 16;
 
-[[noreturn]] void refuse_field() {
-    throw Error(ErrorCode::FieldMismatch,
-                "The Laplacian lines field belongs to another mesh; compute it again.");
-}
-
+/// Where the field was computed across cuts, lines go across them.
 PreparedMesh prepare(const TriangleMesh& mesh, const Field& field) {
     if (!has_entries(field, mesh.positions.size())) refuse_field();
-    // Where the field was computed across cuts, lines go across them.
-    return prepare_geometry(mesh, field.report.welded_vertices > 0 ? Cuts::Stitched : Cuts::Left,
-                            field.report.flipped_triangles > 0 ? Facing::Outwards : Facing::Kept);
+    return prepare_geometry(mesh, cuts_of(field.report), facing_of(field.report));
 }
 
 std::vector<FormGroup> laplacian_forms(const PreparedMesh& mesh, const Field& field,

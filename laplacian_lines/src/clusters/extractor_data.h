@@ -40,8 +40,9 @@ struct ExtractorData {
     double flat_share = 0;                             ///< of the area, see flat_faces.h
     bool is_rough = false;  ///< edges of the mesh are those of noise or voxels, not of the form
     bool is_sheet = false;  ///< its borders are so long that it is seen from both sides
-    bool is_body = false;   ///< closed and facing outwards: what faces away is hidden
-    EdgeHorizon horizon;    ///< empty where contours are zeros of n·l
+    bool is_body =
+        false;  ///< closed, two triangles an edge, facing outwards: so hides what faces away
+    EdgeHorizon horizon;  ///< empty where contours are zeros of n·l
 
     ClusterStore store() const;
     std::size_t memory() const;  ///< bytes

@@ -201,14 +201,10 @@ Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options,
 }
 
 void add_curvature_derivatives(const TriangleMesh& mesh, Field& field, const Progress& progress) {
-    if (!has_entries(field, mesh.positions.size()))
-        throw Error(ErrorCode::FieldMismatch,
-                    "The Laplacian lines field belongs to another mesh; compute it again.");
+    if (!has_entries(field, mesh.positions.size())) refuse_field();
     const StageProgress stage(progress, 0, 1, "Differentiating the curvature");
     stage.report(0);
-    PreparedMesh prepared =
-        prepare_mesh(mesh, field.report.welded_vertices > 0 ? Cuts::Stitched : Cuts::Left,
-                     field.report.flipped_triangles > 0 ? Facing::Outwards : Facing::Kept);
+    PreparedMesh prepared = prepare_mesh(mesh, cuts_of(field.report), facing_of(field.report));
     const SpatialTree tree = sort_in_space(prepared);
     fill_curvature_derivatives(prepared, tree, stage.part(0.4, 1), field);
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -33,11 +32,9 @@ inline Eigen::AlignedBox3d bounding_box(const std::vector<Eigen::Vector3d>& posi
     });
 }
 
-/// The largest absolute one of the corners.
-inline double largest_coordinate(const std::vector<Eigen::Vector3d>& positions,
-                                 const std::vector<Triangle>& triangles) {
-    const Eigen::AlignedBox3d box = bounding_box(positions, triangles);
-    return std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+/// The largest absolute coordinate, by axis.
+inline Eigen::Vector3d largest_coordinates(const Eigen::AlignedBox3d& box) {
+    return box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
 }
 
 }  // namespace laplacian_lines

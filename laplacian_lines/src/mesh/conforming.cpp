@@ -305,8 +305,7 @@ bool lies_between(const std::vector<Vector3d>& positions, std::uint32_t vertex, 
 
 Precision precision_of(const std::vector<Vector3d>& positions, const Eigen::AlignedBox3d& box) {
     const double diagonal = box.diagonal().norm();
-    const double largest =
-        std::max({diagonal, box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()});
+    const double largest = std::max(diagonal, largest_coordinates(box).maxCoeff());
     const double of_floats = std::min(kPrecision * largest, kWorstPrecision * diagonal);
     const double others = sum_of(positions.size(), [&](std::size_t v) {
         const Vector3d& p = positions[v];  // unused ones may be anything

@@ -20,7 +20,8 @@ constexpr double kZeroShare = 0x1p-46;
 /// the vertices that the triangles use: others may be anywhere.
 inline std::vector<std::uint32_t> first_equal_positions(
     const std::vector<Eigen::Vector3d>& positions, const std::vector<Triangle>& triangles) {
-    const double least = kZeroShare * largest_coordinate(positions, triangles);
+    const double least =
+        kZeroShare * largest_coordinates(bounding_box(positions, triangles)).maxCoeff();
     const auto rounded = [=](double x) { return std::abs(x) <= least ? 0.0 : x; };
     const auto hash_of = [&](std::uint32_t v) {
         if (!positions[v].allFinite()) return mix_hash(0, v);

@@ -19,9 +19,10 @@
 namespace laplacian_lines {
 namespace {
 
-// Of the largest coordinate: error of an edge's middle that was rounded to floats twice.
-constexpr double kRounding = 5e-7;
-constexpr double kLongestEdge = 0.025;  // of the mean edge before a subdivision that is undone; D
+// Error of an edge's middle that was rounded to floats twice, of the largest coordinate of an axis;
+// and where that is more than the form of a smooth grid, of the mean edge.
+constexpr double kRounding = 5e-7, kMostOff = 1e-3;
+constexpr double kLongestEdge = 0.025;  // D: larger triangles than these are the form's
 
 using Positions = std::vector<Eigen::Vector3d>;
 
@@ -36,7 +37,8 @@ struct Cut {
 /// Joins quarters to large triangles, from one to the next across their sides.
 class QuarterJoiner {
 public:
-    QuarterJoiner(const Positions& positions, const std::vector<Triangle>& triangles, double within)
+    QuarterJoiner(const Positions& positions, const std::vector<Triangle>& triangles,
+                  const Eigen::Vector3d& within)
         : positions_(positions),
           triangles_(triangles),
           within_(within),
@@ -69,7 +71,7 @@ public:
     }
 
     /// In the order of their first parts; each begins with the corner of its first quarter.
-    std::vector<Triangle> take_triangles() {
+    std::vector<Triangle> large_triangles() const {
         std::vector<std::pair<std::uint32_t, Triangle>> large;
         for (const auto& [t, inner, quarters] : joined_) {
             const auto first = std::min_element(quarters.begin(), quarters.end());
@@ -88,7 +90,7 @@ private:
 
     bool is_middle(std::uint32_t middle, std::uint32_t a, std::uint32_t b) const {
         const Eigen::Vector3d off = (positions_[a] + positions_[b]) / 2 - positions_[middle];
-        return a != b && off.cwiseAbs().maxCoeff() <= within_;
+        return a != b && (off.array().abs() <= within_.array()).all();
     }
 
     std::optional<Cut> cut_around(std::uint32_t inner) const {
@@ -153,31 +155,21 @@ private:
 
     const Positions& positions_;
     const std::vector<Triangle>& triangles_;
-    const double within_;
+    const Eigen::Vector3d within_;  // by axis
     const CornerTable sides_;
     std::vector<Role> role_;             // by vertex
     std::vector<std::uint8_t> is_done_;  // by triangle
     std::vector<Cut> joined_;
 };
 
-/// Whether the first triangle can be part of a cut, which rules out most meshes at once.
-bool begins_cut(const Positions& positions, const std::vector<Triangle>& triangles, double within) {
-    const Triangle& first = triangles.front();
-    const auto around = collect<Triangle>(triangles.size(), [&](std::uint32_t t, auto& found) {
-        if (std::find_first_of(triangles[t].begin(), triangles[t].end(), first.begin(),
-                               first.end()) != triangles[t].end())
-            found.push_back(triangles[t]);
-    });
-    return !QuarterJoiner(positions, around, within).cuts_with(0).empty();
-}
-
-bool undo_subdivision(const Positions& positions, std::vector<Triangle>& triangles) {
-    if (triangles.empty() || triangles.size() % 4 != 0) return false;
-    const double within = kRounding * largest_coordinate(positions, triangles);
-    if (!begins_cut(positions, triangles, within)) return false;
+bool undo_subdivision(const Positions& positions, double edge, std::vector<Triangle>& triangles) {
+    if (triangles.size() % 4 != 0) return false;
+    const Eigen::Vector3d within =
+        (kRounding * largest_coordinates(bounding_box(positions, triangles)))
+            .cwiseMin(kMostOff * edge);
     QuarterJoiner joiner(positions, triangles, within);
     if (!joiner.run()) return false;
-    triangles = joiner.take_triangles();
+    triangles = joiner.large_triangles();
     return true;
 }
 
@@ -194,7 +186,7 @@ void undo_subdivisions(TriangleMesh& mesh) {
     const double longest =
         kLongestEdge * bounding_box(mesh.positions, triangles).diagonal().stableNorm();
     for (double edge = mean_edge(mesh.positions, triangles);
-         2 * edge <= longest && undo_subdivision(mesh.positions, triangles); edge *= 2)
+         2 * edge <= longest && undo_subdivision(mesh.positions, edge, triangles); edge *= 2)
         mesh.triangles = triangles;
 }
 

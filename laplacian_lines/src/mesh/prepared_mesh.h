@@ -47,6 +47,14 @@ enum class Cuts { Left, Stitched };
 /// Whether triangles are turned: see orient().
 enum class Facing { Kept, Outwards };
 
+/// As they were for the mesh with this report.
+inline Cuts cuts_of(const MeshReport& report) {
+    return report.welded_vertices > 0 ? Cuts::Stitched : Cuts::Left;
+}
+inline Facing facing_of(const MeshReport& report) {
+    return report.flipped_triangles > 0 ? Facing::Outwards : Facing::Kept;
+}
+
 /// The vertices keep the input's order. @throws Error: InvalidMesh, EmptyMesh.
 PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, Facing facing);
 

@@ -25,10 +25,17 @@ struct ViewFrame {
     /// Of a vessel: the section and the inside behind it on the left of the axis, the outside on
     /// the right.
     bool is_half_section = false;
-    /// The eye of a perspective view, mesh coordinates; none: orthographic. Perspective views are
-    /// clipped 60 degrees off their axis.
+    /// The eye of a perspective view, mesh coordinates; none: orthographic.
     std::optional<Eigen::Vector3d> eye = std::nullopt;
 };
+
+/// Of 60 degrees: perspective views are clipped so far off their axis.
+constexpr double kTangentOfHalfView = 1.7320508075688772;
+
+/// From any direction; unit vectors.
+ViewFrame frame_of_axes(const std::string& name, const Eigen::Vector3d& towards_viewer,
+                        const Eigen::Vector3d& up,
+                        const std::optional<Eigen::Vector3d>& eye = std::nullopt);
 
 /// From picture coordinates, x right, y up, z to the viewer, to mesh coordinates.
 Eigen::Vector3d in_mesh(const Eigen::Vector3d& direction, const ViewFrame& frame);

@@ -18,6 +18,9 @@ std::optional<Eigen::Vector2d> paper_size(const std::string& name);
 /// Scales of drawings, largest first: 1:2 is 0.5.
 std::vector<double> usual_scales();
 
+/// √h in widths of inner lines: smaller kernels crowd lines, larger lose detail.
+constexpr double kKernelPens = 4;
+
 /// Finer by so many steps of √2; pens above 2 mm stay.
 Pens finer(Pens pens, std::ptrdiff_t steps);
 

@@ -77,7 +77,7 @@ private:
         const Vector3d viewer = read_vector().stableNormalized(), up = read_vector();
         const Vector3d right = up.cross(viewer).stableNormalized();
         if (!(viewer.allFinite() && right.norm() > 0.5)) refuse_word(kToward);
-        ViewFrame frame = make_frame(Side::Other, "View", viewer, viewer.cross(right));
+        ViewFrame frame = frame_of_axes("View", viewer, viewer.cross(right));
         if (next_ == words_.size() || lower(words_[next_]) != kFrom) return frame;
         ++next_;
         frame.eye = read_vector();
@@ -161,8 +161,13 @@ ViewFrame frame_of_direction(double azimuth, double elevation, UpAxis axis) {
     const Vector3d outwards = std::cos(a) * front + std::sin(a) * right;
     // Not beginning with a digit: SVG readers take that for a layer's number.
     const std::string name = "View " + in_digits(azimuth) + "°, " + in_digits(elevation) + "°";
-    return make_frame(Side::Other, name, std::cos(e) * outwards + std::sin(e) * up,
-                      std::cos(e) * up - std::sin(e) * outwards);
+    return frame_of_axes(name, std::cos(e) * outwards + std::sin(e) * up,
+                         std::cos(e) * up - std::sin(e) * outwards);
+}
+
+ViewFrame frame_of_axes(const std::string& name, const Vector3d& towards_viewer, const Vector3d& up,
+                        const std::optional<Vector3d>& eye) {
+    return {Side::Other, name, up.cross(towards_viewer), up, towards_viewer, false, eye};
 }
 
 std::vector<Section> parse_sections(std::string_view text) {

@@ -11,6 +11,7 @@
 #include "laplacian_lines/mesh_faults.h"
 #include "laplacian_lines/precompute.h"
 #include "line_drawing/object.h"
+#include "options/paper_and_pens.h"
 #include "options/progress_part.h"
 
 namespace line_drawing {
@@ -39,8 +40,8 @@ PrecomputeOptions field_options(const SheetOptions& options, double mm) {
     PrecomputeOptions result;
     const double factor = kernel_factor(options.style.detail);
     result.least_drawn_edges = laplacian_lines::kLeastKernelEdges * std::min(factor, 1.);
-    result.drawn_kernel_size = factor * laplacian_lines::kDrawnKernelWidths *
-                               options.pens[std::size_t(LineClass::Inner)] / mm;
+    result.drawn_kernel_size =
+        factor * kKernelPens * options.pens[std::size_t(LineClass::Inner)] / mm;
     result.curvature_derivatives = options.style.shows.needs_derivatives();
     return result;
 }

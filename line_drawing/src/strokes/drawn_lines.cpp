@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "laplacian_lines/precompute_options.h"
+#include "options/paper_and_pens.h"
 #include "strokes/refining.h"
 
 namespace line_drawing {
@@ -29,8 +29,7 @@ double distance_to(const Vector2d& begin, const Vector2d& end, const Vector2d& p
 constexpr double kFarthestNext = 2;      // times the white: farther ones do not depend on the first
 constexpr double kSideBySide = 0.7;      // of the longer one's length
 constexpr double kLeastStrength = 0.75;  // of the first
-constexpr double kKernel = laplacian_lines::kDrawnKernelWidths;  // pens
-constexpr double kWidestGap = 4 * kKernel;
+constexpr double kWidestGap = 4 * kKernelPens;
 constexpr double kUnevenness = 0.25;   // of a gap's width
 constexpr double kLeastBetween = 0.8;  // of a line's length
 constexpr double kLeastBeyond = 1 / 3.;
@@ -77,7 +76,7 @@ std::optional<Gap> gap_at(const Vector2d& point, const Vector2d& way, const Draw
 /// How far a gap extends from a place in it, up to `most`.
 double length_from(Vector2d point, Vector2d way, double width, double most, const DrawnLines& kept,
                    double pen) {
-    const double step = kKernel * pen / 2;
+    const double step = kKernelPens * pen / 2;
     double length = 0;
     for (; length < most; length += step) {
         point += step * way;
@@ -283,7 +282,7 @@ void for_each_by_families(const std::vector<DrawnLine>& lines, const std::vector
 bool is_between_folds(const DrawnLine& line, const DrawnLines& kept, double pen) {
     if (line.closed || line.points.size() < 2) return false;
     double length = 0, between = 0, third = 0, width = 0;
-    for_each_piece(line, kKernel * pen,
+    for_each_piece(line, kKernelPens * pen,
                    [&](const Vector2d& middle, const Vector2d& way, double piece) {
                        length += piece;
                        const auto gap = gap_at(middle, way, kept, pen);
@@ -296,7 +295,7 @@ bool is_between_folds(const DrawnLine& line, const DrawnLines& kept, double pen)
     double beyond = 0;
     for (const bool is_last : {false, true})
         beyond += length_from((is_last ? line.points.back() : line.points.front()).position,
-                              outwards_at(line.points, is_last, kKernel * pen), width / between,
+                              outwards_at(line.points, is_last, kKernelPens * pen), width / between,
                               length, kept, pen);
     return beyond > kLeastBeyond * length;
 }

@@ -16,8 +16,6 @@ using laplacian_lines::TriangleMesh;
 using laplacian_lines::ViewLine;
 using laplacian_lines::ViewLinePoint;
 
-/// Of half the field of view in perspective, 60 degrees.
-constexpr double kTangentOfHalfView = 1.7320508075688772;
 constexpr double kFaintestInnerLine = 0.5;  // mean share of the full width
 
 double width_of(const ViewLinePoint& point) {
