@@ -95,11 +95,11 @@ QString nearness_warning(const ViewFrame& frame, const Eigen::AlignedBox3d& box)
     const bool is_within = box.contains(*frame.eye);
     if (!is_within && corner == 8) return {};
     return QString(
-               "Warning: the viewpoint %1 %2 of the layer, which reaches from %3 to %4: not "
-               "all of it is in sight. Take a viewpoint farther away, or one of the sides as "
+               "Warning: the viewpoint %1 %2 of the layer, which reaches from %3 to %4. "
+               "Take a viewpoint farther away, or one of the sides as "
                "View, such as Front.")
         .arg(numbers_text(*frame.eye),
-             is_within ? "is within the bounding box" : "does not look at all of the box",
+             is_within ? "is within the bounding box" : "sees only part of the bounding box",
              numbers_text(box.min()), numbers_text(box.max()));
 }
 

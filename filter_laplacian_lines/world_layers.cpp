@@ -2,7 +2,6 @@
 #include "world_layers.h"
 
 #include <QStringList>
-#include <algorithm>
 
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/precompute.h"
@@ -25,13 +24,16 @@ WorldLayer copy_layer(const MeshModel& layer, const FilterRun& run, const Progre
     const meshlab_host::FieldSource source = meshlab_host::field_source(layer.cm);
     WorldLayer result{layer.label(), meshlab_host::to_drawn_mesh(layer.cm), {}};
     if (source.status == meshlab_host::FieldStatus::Current) {
-        result.field = meshlab_host::find_or_compute_field(layer.cm, result.mesh, result.name,
-                                                           source, run.say, progress);
-        if (!meshlab_host::similarity_of(transform))
+        if (meshlab_host::similarity_of(transform)) {
+            result.field = meshlab_host::find_or_compute_field(layer.cm, result.mesh, result.name,
+                                                               source, run.say, progress);
+        } else {
             run.say(
                 QString("%1 is stretched or mirrored by its transformation: its lines are computed "
                         "anew for the shape that results.")
                     .arg(result.name));
+            result.field.emplace();  // by apply_transform()
+        }
     }
     meshlab_host::apply_transform(transform, source.options, result.mesh, result.field, progress);
     if (!result.field)
@@ -41,7 +43,7 @@ WorldLayer copy_layer(const MeshModel& layer, const FilterRun& run, const Progre
 
 void copy_visible_layers(const FilterRun& run, double share, WorldLayers& placed) {
     const std::vector<int> ids = meshlab_host::layer_ids(run.document, true);
-    const double step = share / std::max<double>(1, double(ids.size()));
+    const double step = share / double(ids.size());
     for (std::size_t i = 0; i < ids.size(); ++i) {
         const MeshModel* layer = run.document.getMesh(ids[i]);  // may have gone meanwhile
         if (!layer) continue;

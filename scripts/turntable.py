@@ -13,7 +13,7 @@ from environment.messages import Failure, output, quietly, run_main, say
 from environment.options import Parser
 from product.models import check_mesh, prepare_mesh
 
-COLUMNS = 4  # of views on a drawing, which stand in rows
+COLUMNS = 4  # of views on a drawing, as kOthersInARow of view_cells.cpp
 MARGIN = 2  # mm around what is drawn
 GRAYS = 16
 SVG = "{http://www.w3.org/2000/svg}"
@@ -77,13 +77,13 @@ def parse():
     parser.add_argument("picture", metavar="FILE.gif")
     parser.add_argument("mesh", nargs="?", default="", metavar="MESH", help="PLY, OBJ, STL or OFF; without, the Stanford dragon")
     parser.add_argument("--up", choices=list("xyz"), default="y", help="the axis of the mesh that points upwards (y)")
-    parser.add_argument("--frames", type=int, default=72, help="in a turn, a multiple of 8 (72)")
+    parser.add_argument("--frames", type=int, default=72, help=f"in a turn, a multiple of {2 * COLUMNS} (72)")
     parser.add_argument("--seconds", type=float, default=5.8, help="that a turn takes (5.8)")
     parser.add_argument("--width", type=int, default=720, help="in pixels (720)")
     parser.add_argument("--paper", default="a0", help="that all views fit on: what is small on it is left out (a0)")
     options = parser.parse_args()
     if options.frames % (2 * COLUMNS) or options.frames < 1:
-        parser.error("--frames needs a multiple of 8")
+        parser.error(f"--frames needs a multiple of {2 * COLUMNS}")
     return options
 
 

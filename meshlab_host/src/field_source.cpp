@@ -82,7 +82,8 @@ Field find_or_compute_field(const CMeshO& mesh, const laplacian_lines::TriangleM
                             const QString& mesh_name, const FieldSource& source,
                             const std::function<void(const QString&)>& say,
                             const laplacian_lines::Progress& progress) {
-    const bool is_given = triangles.triangles.size() == std::size_t(mesh.fn);
+    const auto faces = std::size_t(mesh.fn);  // the mesh may go while its field is computed
+    const bool is_given = triangles.triangles.size() == faces;
     if (source.status == FieldStatus::Current && is_given)
         if (std::optional<Field> field = read_field(mesh, source.key.stamp)) {
             if (source.options.curvature_derivatives)
@@ -92,8 +93,7 @@ Field find_or_compute_field(const CMeshO& mesh, const laplacian_lines::TriangleM
     QElapsedTimer clock;
     clock.start();
     Field field = laplacian_lines::precompute(triangles, source.options, progress);
-    say(computed_line(mesh_name, source.status, field, std::size_t(mesh.fn),
-                      1e-3 * double(clock.elapsed())));
+    say(computed_line(mesh_name, source.status, field, faces, 1e-3 * double(clock.elapsed())));
     for (const QString& line : mesh_advice(field.report))
         say(mesh_name + ": " + line);
     return field;

@@ -208,13 +208,4 @@ TEST(MeshFaults, OfCoordinatesOfFewDigits) {
     EXPECT_EQ(faults_found(rounded_to(0.1, cube(40))), Faults());
 }
 
-TEST(MeshFaults, OfKernelsThatBlurTheForm) {
-    const TriangleMesh& torus = mesh_named("torus").mesh;
-    PrecomputeOptions options;
-    options.kernel_size = 0.05;
-    EXPECT_EQ(faults_found(torus, options), Faults());
-    options.kernel_size = 0.5;
-    EXPECT_EQ(faults_found(torus, options), Faults{MeshFault::CoarseKernel});
-}
-
 }  // namespace

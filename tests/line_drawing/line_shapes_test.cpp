@@ -112,8 +112,10 @@ TEST(StrokeSmoothing, LeavesNoCornerWhereALoopBegins) {
     EXPECT_EQ(lines[0].points.front().position, lines[0].points.back().position);
 }
 
-std::size_t kept(const std::vector<DrawnLine>& lines) {
-    return without_specks(lines, SheetOptions()).size();
+std::size_t kept(const std::vector<DrawnLine>& lines, double kernel = 0) {
+    SheetOptions options;
+    options.kernel.size = kernel;
+    return without_specks(lines, options).size();
 }
 
 TEST(Specks, AreContoursBeforeASmallJumpInDepth) {
@@ -135,9 +137,10 @@ TEST(Specks, AreShortLinesThatMeetNothing) {
         DrawnLine line = zigzag(0, 4, is_exact);  // 1.5 mm
         line.jump = 5;
         EXPECT_EQ(kept({line}), 0u);
-        DrawnLine longer = zigzag(0, 6, is_exact);
+        DrawnLine longer = zigzag(0, 6, is_exact);  // 2.5 mm
         longer.jump = 5;
         EXPECT_EQ(kept({longer}), 1u);
+        EXPECT_EQ(kept({longer}, 4), 0u);  // √h
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include "laplacian_lines/error.h"
 #include "line_drawing/sheet_file.h"
+#include "sections/wall_area.h"
 #include "sheet_helpers.h"
 
 using namespace line_drawing;
@@ -158,6 +159,20 @@ TEST(SectionMarks, GiveSectionsTheirNames) {
     EXPECT_EQ(section_of(cube_of100(), "x=0.3").name, "Section x = 30 %");
     EXPECT_EQ(letter_of(25), "Z");
     EXPECT_EQ(letter_of(53), "BB");
+}
+
+/// A loop that begins within the wall of another.
+TEST(WallAreas, LeaveOpenWhatTheyCut) {
+    const WallArea area({{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}}});
+    DrawnLine loop{LineClass::Section, true, {}};
+    for (const Eigen::Vector2d& corner :
+         std::vector<Eigen::Vector2d>{{0, 0}, {3, 0}, {3, 3}, {0, 3}, {0, 0}})
+        loop.points.push_back({corner});
+    const std::vector<DrawnLine> rest = without_parts_in(area, {loop});
+    ASSERT_EQ(rest.size(), 1u);
+    EXPECT_FALSE(rest[0].closed);
+    EXPECT_EQ(rest[0].points.front().position, Eigen::Vector2d(1, 0));
+    EXPECT_EQ(rest[0].points.back().position, Eigen::Vector2d(0, 1));
 }
 
 }  // namespace

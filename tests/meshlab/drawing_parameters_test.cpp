@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <QDir>
-
 #include <QCoreApplication>
+#include <QDir>
 #include <QStringList>
 
 #include "drawing_parameters.h"

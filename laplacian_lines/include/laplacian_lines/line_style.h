@@ -51,7 +51,7 @@ struct LineStyle {
     double contour_clearance = 0.001;
     LineKindSet shows = LineKindSet::defaults();  ///< which kinds are drawn
     /// Draw contours along mesh edges, between triangles that face the eye and those that do not,
-    /// on meshes of triangles so large or so steep that zeros of n·l would miss the horizon.
+    /// on meshes of triangles so large or so steep that zeros of n·v would miss the horizon.
     bool exact_outlines = true;
     double shortest_contour = 0.005;  ///< least length of a contour, in D; if visible, of a border
     /// Least angle, degrees, by which the surface turns across a ridge or valley within 2 % of D to

@@ -14,8 +14,7 @@ enum class MeshFault {
     Disagreeing,  ///< neighbours disagree about which side is outside, and cannot agree
     InsideOut,    ///< nearly all triangles faced inwards and were turned
     Flipped,      ///< some did, or disagreed with their neighbours
-    Quantized,    ///< coordinates were rounded so much that smooth parts look like facets
-    CoarseKernel  ///< most of the surface bends within the kernel, which could be smaller
+    Quantized     ///< coordinates were rounded so much that smooth parts look like facets
 };
 
 /// In the order of repair. Scans with holes and finely meshed open surfaces have none.

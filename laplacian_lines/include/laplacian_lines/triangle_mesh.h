@@ -53,7 +53,6 @@ struct MeshReport {
     /// at least a tenth of the mean edge. Else, and for few triangles, large flat faces or cells of
     /// a grid, 0.
     double coordinate_step = 0;
-    double kernel_bend = 0;  ///< median of curvature · √h; 0 for √h of less than 2.5 mean edges
 };
 
 }  // namespace laplacian_lines

@@ -2,12 +2,10 @@
 // The mesh as a redraw reads it, see cluster_data.h:
 //  1. It is cut into clusters of neighbours, and what is across their borders is noted.
 //  2. Before and after, it is judged as a whole: sheet or body, contours along edges or not, what
-//  is
-//     convex and what has no feature of its own.
+//     is convex and what has no feature of its own.
 //  3. Each cluster gets a place in one block of memory.
 //  4. Clusters are written, several at once: triangles, vertices, the linear form n·v, and bounds
-//  of
-//     the normals, by which a redraw skips what faces away. The forms of ΔI follow in
+//     of the normals, by which a redraw skips what faces away. The forms of ΔI follow in
 //     extractor_data.cpp.
 #include "clusters/cluster_building.h"
 
@@ -89,19 +87,16 @@ private:
                     mesh_.positions[begin_of(mesh_.triangles, side)])
                 .norm();
         });
-        const auto sum_over_triangles = [&](auto value_of) {
-            return sum_of(mesh_.triangles.size(),
-                          [&](std::size_t i) { return value_of(mesh_.triangles[i]); });
-        };
+        const std::vector<Triangle>& triangles = mesh_.triangles;
         const bool is_manifold = 2 * sides.edge_count() == sides.side_count();
         if (borders > 0) {
-            const double area = sum_over_triangles(
-                [&](const Triangle& t) { return area_vector(mesh_, t).norm() / 2; });
+            const double area = sum_of(triangles.size(), [&](std::size_t t) {
+                return area_vector(mesh_, triangles[t]).norm() / 2;
+            });
             data_.is_sheet = borders > kLeastSheetBorders * std::sqrt(area);
         } else if (is_manifold) {
-            const double volume = sum_over_triangles([&](const Triangle& t) {  // six times
-                return mesh_.positions[t[0]].dot(
-                    mesh_.positions[t[1]].cross(mesh_.positions[t[2]]));
+            const double volume = sum_of(triangles.size(), [&](std::size_t t) {  // six times
+                return mesh_.positions[triangles[t][0]].dot(area_vector(mesh_, triangles[t]));
             });
             data_.is_body = volume > 0;
         }

@@ -6,14 +6,13 @@
 #include <cmath>
 
 #include "field/field_steps.h"
-#include "mesh/flat_faces.h"
 #include "system/large_array.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
 namespace {
 
-// The zero of n·v is where a corner's normal n stands upright on the ray v. The triangle's own
+// The zero of n·v is where a corner's normal n is perpendicular to the ray v. The triangle's own
 // plane leans from n by some angle, so such a triangle is seen at most at that angle, and its size
 // times the sine is how far the zero may be from the horizon of the triangles, in the picture.
 constexpr double kFarthestContour = 0.006;       // D: about two pixels of a picture of 400

@@ -10,7 +10,6 @@
 #include "clusters/cluster_building.h"
 #include "clusters/coarseness.h"
 #include "field/derivative_scale.h"
-#include "laplacian_lines/error.h"
 #include "laplacian_lines/field_columns.h"
 #include "system/large_array.h"
 #include "system/parallel.h"
@@ -115,7 +114,7 @@ std::vector<PlacedCluster> place_clusters(const ExtractorData& data) {
     return placed;
 }
 
-bool has_needs_of(LineKind kind, const ExtractorData& data) {
+bool can_extract(LineKind kind, const ExtractorData& data) {
     return !describe(kind).needs_derivatives || !data.curvatures.empty();
 }
 

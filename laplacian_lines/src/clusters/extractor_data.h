@@ -40,9 +40,9 @@ struct ExtractorData {
     double flat_share = 0;                             ///< of the area, see flat_faces.h
     bool is_rough = false;  ///< edges of the mesh are those of noise or voxels, not of the form
     bool is_sheet = false;  ///< its borders are so long that it is seen from both sides
-    bool is_body =
-        false;  ///< closed, two triangles an edge, facing outwards: so hides what faces away
-    EdgeHorizon horizon;  ///< empty where contours are zeros of n·l
+    /// Closed, two triangles an edge, facing outwards: it hides what faces away.
+    bool is_body = false;
+    EdgeHorizon horizon;  ///< empty where contours are zeros of n·v
 
     ClusterStore store() const;
     std::size_t memory() const;  ///< bytes
@@ -102,7 +102,7 @@ struct PlacedCluster {
 std::vector<PlacedCluster> place_clusters(const ExtractorData& data);
 
 /// Whether lines of a kind can be found: those of some need derivatives.
-bool has_needs_of(LineKind kind, const ExtractorData& data);
+bool can_extract(LineKind kind, const ExtractorData& data);
 
 /// LineExtractor::add_derivatives().
 void add_derivatives(const TriangleMesh& mesh, const Field& field, ExtractorData& data);

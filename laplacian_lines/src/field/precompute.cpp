@@ -17,9 +17,7 @@ namespace laplacian_lines {
 namespace {
 
 constexpr int kTensorSmoothingPasses = 2;
-constexpr std::size_t kMostBendSamples = 20000;
-constexpr double kLeastChoice = 2.5;  // mean edges; smaller kernels cannot be reduced much
-constexpr double kFitCost = 20;       // of a pair of vertices in a fit, over that in a direct sum
+constexpr double kFitCost = 20;  // of a pair of vertices in a fit, over that in a direct sum
 
 // Share of the time at which each step ends, with the default options.
 constexpr double kPrepared = 0.15, kSorted = 0.3, kNormals = 0.35;
@@ -107,18 +105,6 @@ FieldScale scale_of(const PreparedMesh& mesh, double kernel_size, double normal_
     return {d, mesh.mean_edge * d, kernel_size * d, normal_sigma * d};
 }
 
-/// MeshReport::kernel_bend, from a sample of vertices.
-double kernel_bend(const PreparedMesh& mesh, const LocalField& local) {
-    if (local.kernel_size < kLeastChoice * mesh.mean_edge) return 0;
-    const std::size_t step = mesh.size() / kMostBendSamples + 1;
-    std::vector<double> bends;
-    for (std::size_t i = 0; i < mesh.size(); i += step)
-        bends.push_back(std::sqrt(local.shape_operators[i].squaredNorm()) * local.kernel_size);
-    const auto middle = bends.begin() + std::ptrdiff_t(bends.size() / 2);
-    std::nth_element(bends.begin(), middle, bends.end());
-    return *middle;
-}
-
 /// Back to the input's order and units, for all of its vertices.
 Field in_input_units(const PreparedMesh& mesh, const LocalField& local, std::size_t vertex_count) {
     Field field;
@@ -141,7 +127,6 @@ Field in_input_units(const PreparedMesh& mesh, const LocalField& local, std::siz
     field.scale = scale_of(mesh, local.kernel_size, local.normal_sigma);
     field.report = mesh.report;
     field.report.roughness = local.roughness;
-    field.report.kernel_bend = kernel_bend(mesh, local);
     return field;
 }
 

@@ -7,7 +7,7 @@ void FixedLines::append(const ExtractorData& data, const LocalEye& eye, const Li
                         LineSet& lines) {
     for (std::size_t i = 0; i < kFixedKindCount; ++i) {
         const LineKind kind = fixed_kinds()[i]->kind;
-        if (style.shows[kind] && has_needs_of(kind, data))
+        if (style.shows[kind] && can_extract(kind, data))
             find(data, i).append(data, *this, eye, style, lines);
     }
     const std::lock_guard<std::mutex> lock(mutex_);

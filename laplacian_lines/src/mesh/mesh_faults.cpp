@@ -14,8 +14,6 @@ constexpr double kMostBorders = 0.2, kMostOpposed = 0.02;
 /// Shares of the usable triangles that were turned: less is a few specks of a scan, more is nearly
 /// all.
 constexpr double kLeastFlipped = 1e-3, kMostFlipped = 0.9;
-/// Angle, in radians, by which half of the surface turns within the kernel.
-constexpr double kMostBend = 0.7;
 
 std::string percent(double share) {
     return std::to_string(std::lround(100 * share)) + " %";
@@ -35,7 +33,6 @@ std::vector<MeshFault> faults_of(const MeshReport& report) {
     else if (turned > kLeastFlipped)
         faults.push_back(MeshFault::Flipped);
     if (report.coordinate_step > 0) faults.push_back(MeshFault::Quantized);
-    if (report.kernel_bend > kMostBend) faults.push_back(MeshFault::CoarseKernel);
     return faults;
 }
 
@@ -64,9 +61,6 @@ std::string describe(MeshFault fault, const MeshReport& report) {
                        "steps: export the mesh with more digits.";
             return message.str();
         }
-        case MeshFault::CoarseKernel:
-            return "Most of the surface bends within the kernel, so its features are blurred: run "
-                   "Compute Laplacian Lines with a smaller Kernel Size.";
     }
     return {};
 }

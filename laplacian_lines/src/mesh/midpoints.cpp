@@ -19,10 +19,12 @@
 namespace laplacian_lines {
 namespace {
 
-// Error of an edge's middle that was rounded to floats twice, of the largest coordinate of an axis;
-// and where that is more than the form of a smooth grid, of the mean edge.
+// How far an edge's middle may be off along an axis: so much of the axis's largest coordinate, by
+// rounding to floats twice, but at most so much of the mean edge, which is less than the bends of a
+// smooth grid.
 constexpr double kRounding = 5e-7, kMostOff = 1e-3;
-constexpr double kLongestEdge = 0.025;  // D: larger triangles than these are the form's
+// Of the mean edge once undone, D: coarser triangles are the form's own.
+constexpr double kLongestEdge = 0.025;
 
 using Positions = std::vector<Eigen::Vector3d>;
 
@@ -45,18 +47,6 @@ public:
           sides_(triangles, positions.size()),
           role_(positions.size(), Role::Unknown),
           is_done_(triangles.size(), 0) {}
-
-    /// The cuts that a triangle can belong to: it, or a neighbour, is the inner triangle.
-    std::vector<Cut> cuts_with(std::uint32_t triangle) const {
-        std::vector<Cut> cuts;
-        const auto add = [&](std::uint32_t inner) {
-            if (const std::optional<Cut> cut = cut_around(inner)) cuts.push_back(*cut);
-        };
-        add(triangle);
-        for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side)
-            if (sides_.has_neighbour(side)) add(sides_.across(side) / 3);
-        return cuts;
-    }
 
     /// On flat parts, where several cuts are possible, triangles are skipped at first. They are
     /// reached from a vertex that is farthest to one side, as each surface has: that is no
@@ -87,6 +77,18 @@ public:
 
 private:
     enum class Role : std::uint8_t { Unknown, Corner, Middle };
+
+    /// The cuts that a triangle can belong to: it, or a neighbour, is the inner triangle.
+    std::vector<Cut> cuts_with(std::uint32_t triangle) const {
+        std::vector<Cut> cuts;
+        const auto add = [&](std::uint32_t inner) {
+            if (const std::optional<Cut> cut = cut_around(inner)) cuts.push_back(*cut);
+        };
+        add(triangle);
+        for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side)
+            if (sides_.has_neighbour(side)) add(sides_.across(side) / 3);
+        return cuts;
+    }
 
     bool is_middle(std::uint32_t middle, std::uint32_t a, std::uint32_t b) const {
         const Eigen::Vector3d off = (positions_[a] + positions_[b]) / 2 - positions_[middle];

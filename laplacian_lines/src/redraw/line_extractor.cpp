@@ -111,7 +111,7 @@ ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEy
             rules.leave_out_away ? 0 : least_scaled_facing(rules.least_facing, eye);
         const bool on_edges = is_on_edges(kind, style, data);
         if (on_edges) rules.smoothing_passes = 0;
-        const bool wanted = !on_edges && style.shows[kind] && has_needs_of(kind, data);
+        const bool wanted = !on_edges && style.shows[kind] && can_extract(kind, data);
         task.kinds[number] = {wanted, least_facing, rules};
     }
     return task;

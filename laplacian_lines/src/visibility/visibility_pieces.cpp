@@ -52,7 +52,7 @@ bool is_foot_seen(const VisibilitySegments& all, const VisibilitySegment& segmen
     const VisibilityMesh& mesh = all.picture.mesh();
     if (mesh.side_count(segment.edge) != 2) return false;
     const VisibilityMesh::Side* const sides = mesh.sides_of(segment.edge);
-    const Vector3d to_eye = all.picture.frame().towards_eye(point).normalized();
+    const Vector3d to_eye = all.picture.frame().towards_eye(point);
     const auto slope = [&](int i) { return std::abs(mesh.normal(sides[i].triangle).dot(to_eye)); };
     const int wall = slope(0) < slope(1) ? 0 : 1;
     const VisibilityMesh::Side& face = sides[1 - wall];

@@ -25,11 +25,6 @@ Vector3d front_of(UpAxis axis) {
     return axis == UpAxis::Z ? Vector3d(0, -1, 0) : Vector3d(0, 0, 1);
 }
 
-ViewFrame make_frame(Side side, const std::string& name, const Vector3d& towards_viewer,
-                     const Vector3d& up) {
-    return {side, name, up.cross(towards_viewer), up, towards_viewer, false};
-}
-
 /// A half section from the front.
 ViewFrame frame_of_vessel(UpAxis axis) {
     ViewFrame frame = frame_of_side(Side::Front, axis);
@@ -134,19 +129,24 @@ Vector3d in_mesh(const Vector3d& direction, const ViewFrame& frame) {
 ViewFrame frame_of_side(Side side, UpAxis axis) {
     const Vector3d up = up_of(axis), front = front_of(axis), right = up.cross(front);
     const std::string name = kSideNames[std::size_t(side)];
+    const auto frame_towards = [&](const Vector3d& viewer, const Vector3d& upwards) {
+        ViewFrame frame = frame_of_axes(name, viewer, upwards);
+        frame.side = side;
+        return frame;
+    };
     switch (side) {
         case Side::Back:
-            return make_frame(side, name, -front, up);
+            return frame_towards(-front, up);
         case Side::Left:
-            return make_frame(side, name, -right, up);
+            return frame_towards(-right, up);
         case Side::Right:
-            return make_frame(side, name, right, up);
+            return frame_towards(right, up);
         case Side::Top:
-            return make_frame(side, name, up, -front);
+            return frame_towards(up, -front);
         case Side::Bottom:
-            return make_frame(side, name, -up, front);
+            return frame_towards(-up, front);
         default:
-            return make_frame(side, name, front, up);
+            return frame_towards(front, up);
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include "planes/cutting.h"
 #include "planes/hatching.h"
+#include "strokes/refining.h"
 
 namespace line_drawing {
 namespace {
@@ -25,10 +26,8 @@ Eigen::AlignedBox2d box_of(const Wall& wall) {
     return box;
 }
 
-DrawnPoint between(const DrawnPoint& a, const DrawnPoint& b, double t) {
-    if (t == 0) return a;
-    if (t == 1) return b;
-    return {a.position + t * (b.position - a.position), a.weight + t * (b.weight - a.weight)};
+DrawnPoint point_at(const DrawnPoint& a, const DrawnPoint& b, double t) {
+    return t == 0 ? a : t == 1 ? b : between(a, b, t);
 }
 
 struct Stretch {
@@ -65,18 +64,20 @@ std::vector<DrawnLine> parts_outside(const WallArea& area, const DrawnLine& line
         const std::vector<Stretch> stretches = outside(area, a.position, b.position);
         for (const Stretch& stretch : stretches) {
             if (!goes_on || stretch.begin > 0) {
-                parts.push_back(with_points(line, {between(a, b, stretch.begin)}));
+                parts.push_back(with_points(line, {point_at(a, b, stretch.begin)}));
                 begins_outside |= i == 1 && stretch.begin == 0;
             }
-            parts.back().points.push_back(between(a, b, stretch.end));
+            parts.back().points.push_back(point_at(a, b, stretch.end));
             goes_on = stretch.end == 1;
         }
         if (stretches.empty()) goes_on = false;
     }
-    if (parts.size() == 1 && parts[0].points.size() == line.points.size())
-        parts[0].closed = line.closed;
-    else if (line.closed && begins_outside && goes_on && parts.size() > 1)
-        join_at_begin(parts);
+    if (line.closed && begins_outside && goes_on) {
+        if (parts.size() == 1)
+            parts[0].closed = true;
+        else
+            join_at_begin(parts);
+    }
     return parts;
 }
 

@@ -68,11 +68,13 @@ private:
     void append_part(const DrawnLine& stroke, const std::vector<Vector3d>& places,
                      std::size_t first, std::size_t last, std::vector<ViewLine>& lines) const {
         if (last <= first) return;
-        const bool is_whole = first == 0 && last + 1 == places.size();
+        const bool is_first = first == 0, is_last = last + 1 == places.size(),
+                   is_whole = is_first && is_last;
         double length = 0;
         for (std::size_t i = first; i < last && !is_whole; ++i)
             length += (places[i + 1] - places[i]).head<2>().norm();
-        if (!is_whole && length < shortest_remains_) return;
+        const bool goes_on = is_whole || (stroke.closed && (is_first || is_last));
+        if (!goes_on && length < shortest_remains_) return;
         ViewLine line;
         const LineOrigin& most = most_of(stroke, first, last);
         line.kind = most.kind;

@@ -153,9 +153,8 @@ ObjectLines::Extractors ObjectLines::compute(const SheetOptions& options, double
             computed = compute_field(object, wanted, options, mm, part(own, 0, kFieldShare));
         const Field& field = object.field ? *object.field : computed;
         for (const MeshFault fault : laplacian_lines::faults_of(field.report))
-            if (fault != MeshFault::CoarseKernel)  // the scale or the user chose the kernel
-                result.remarks.push_back((object.name.empty() ? "" : object.name + ": ") +
-                                         describe(fault, field.report));
+            result.remarks.push_back((object.name.empty() ? "" : object.name + ": ") +
+                                     describe(fault, field.report));
         result.extractors.push_back({std::make_shared<const laplacian_lines::LineExtractor>(
                                          object.mesh, field, part(own, kFieldShare, 1)),
                                      field.scale.kernel_size,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is too small to show form, and would be a fleck in print:
 //  1. Contours of curved surfaces before a low jump in depth.
-//  2. Connected lines in a small box, if no way leads around in them: an edge of the form ends at
-//     others, or goes round a hole; what does neither is of a fold or a sliver of a scan.
+//  2. Connected lines in a small box, if no way leads around in them, and dots: an edge of the form
+//     ends at others, or goes round a hole; what does neither is of a fold or a sliver of a scan.
 //  3. Short ends between nothing and the next junction.
 #include "strokes/strokes.h"
 
@@ -22,13 +22,19 @@ constexpr double kShortestLine = 0.8, kShortestAlone = 3 * kShortestLine;
 /// Without contours of curved surfaces before a jump of less than `least`; where these run along
 /// edges of the form, the edges stay.
 std::vector<DrawnLine> without_low(std::vector<DrawnLine> lines, double least) {
+    const auto is_exact = [](const DrawnPoint& point) { return point.is_exact; };
     std::vector<DrawnLine> rest;
     for (DrawnLine& line : lines) {
         if (!is_curved_contour(line) || line.jump >= least) {
             rest.push_back(std::move(line));
             continue;
         }
-        const auto is_exact = [](const DrawnPoint& point) { return point.is_exact; };
+        if (line.closed) {
+            line.points.pop_back();
+            std::rotate(line.points.begin(),
+                        std::find_if_not(line.points.begin(), line.points.end(), is_exact),
+                        line.points.end());
+        }
         const auto end = line.points.end();
         for (auto begin = line.points.begin(); begin != end;) {
             begin = std::find_if(begin, end, is_exact);
@@ -38,6 +44,12 @@ std::vector<DrawnLine> without_low(std::vector<DrawnLine> lines, double least) {
         }
     }
     return rest;
+}
+
+void drop_empty(std::vector<DrawnLine>& lines) {
+    lines.erase(std::remove_if(lines.begin(), lines.end(),
+                               [](const DrawnLine& line) { return line.points.size() < 2; }),
+                lines.end());
 }
 
 /// Where lines meet.
@@ -94,22 +106,23 @@ Net net_of(std::size_t first, const std::vector<DrawnLine>& lines, const Nodes& 
     return net;
 }
 
-/// Lines of the form only: of others, short ones may be a texture.
-bool may_be_alone(const DrawnLine& line) {
+/// Lines of the form; short inner ones may be a texture, outlines and sections stay.
+bool goes_if_alone(const DrawnLine& line) {
     return line.line_class != LineClass::Outline && line.line_class != LineClass::Section &&
            !is_inner(line);
 }
 
+/// `least`: extent of a set in which no way leads around.
 void drop_small_nets(const Nodes& nodes, double least, std::vector<DrawnLine>& lines) {
     std::vector<bool> is_known(lines.size());
     for (std::size_t first = 0; first < lines.size(); ++first) {
         if (is_known[first]) continue;
         const Net net = net_of(first, lines, nodes, is_known);
-        const double extent = net.box.diagonal().norm();
-        if (extent >= (net.is_open ? least : kShortestLine / 2)) continue;
+        if (net.box.diagonal().norm() >= (net.is_open ? least : kShortestLine / 2)) continue;
         for (const std::size_t l : net.lines)
-            if (may_be_alone(lines[l])) lines[l].points.clear();
+            if (goes_if_alone(lines[l])) lines[l].points.clear();
     }
+    drop_empty(lines);
 }
 
 /// Cuts off ends shorter than `shortest` between nothing and the next junction.
@@ -144,14 +157,12 @@ void trim(const Nodes& nodes, double shortest, DrawnLine& line) {
 
 std::vector<DrawnLine> without_specks(std::vector<DrawnLine> lines, const SheetOptions& options) {
     lines = without_low(std::move(lines), options.pens[std::size_t(LineClass::Inner)]);
+    drop_small_nets(Nodes(lines), std::max(kShortestAlone, options.kernel.size), lines);
     const Nodes nodes(lines);
-    drop_small_nets(nodes, std::max(kShortestAlone, options.kernel.size), lines);
     for (DrawnLine& line : lines)
         if (line.line_class != LineClass::Outline)
             trim(nodes, is_curved_contour(line) ? kShortestAlone : kShortestLine, line);
-    lines.erase(std::remove_if(lines.begin(), lines.end(),
-                               [](const DrawnLine& line) { return line.points.size() < 2; }),
-                lines.end());
+    drop_empty(lines);
     return lines;
 }
 

@@ -36,7 +36,7 @@ struct Similarity {
 /// None if the transformation stretches, shears or reflects.
 std::optional<Similarity> similarity_of(const Eigen::Matrix4d& transform);
 
-/// By how much lengths grow, averaged over directions.
+/// By how much lengths grow: the geometric mean over three directions, the cube root of volumes'.
 double mean_scale(const Eigen::Matrix4d& transform);
 
 /// For an eye in homogeneous coordinates of the world, (position, 1), or (direction towards the
