@@ -318,6 +318,13 @@ TEST(Creases, AreNotTheStepsOfSegmentedVolumes) {
     EXPECT_TRUE(creases_of(test_meshes::terraced_head(60)).lines.empty());
 }
 
+/// A triangle or two of a scan that stick out.
+TEST(Creases, AreNoFewEdgesOfAScanWithLooseEnds) {
+    TriangleMesh scan = test_meshes::bumpy_sphere(3).mesh;
+    scan.positions[100] *= 1.15;
+    EXPECT_EQ(creases_of(scan).lines.size(), 0u);
+}
+
 TEST(Creases, AreHardlyAnyOnNoisyScans) {
     const TriangleMesh mesh = test_meshes::bumpy_sphere(6).mesh;  // 81,920 triangles
     EXPECT_EQ(helpers::total_length(creases_of(mesh)), 0);

@@ -20,8 +20,8 @@ namespace {
 
 constexpr float kShortNet = 3;  // shortest lines; a bad place of a scan may have some edges
 // Where triangles are as large as the radius of a rounded edge, some edges are as sharp as creases,
-// in zigzags with gaps: ridges show these better.
-constexpr float kRaggedPiece = 0.015f;        // D; longer ones are those of a form
+// in zigzags with gaps: ridges show these better. So are single folds of a scan.
+constexpr float kRaggedPiece = 0.015f;        // D; longer ones of a design are those of its form
 constexpr std::uint32_t kPiecesOfAFault = 6;  // fewer per fault are ragged
 
 /// The creases that a style draws, joined to lines.
@@ -41,8 +41,8 @@ struct CreaseNet {
 
     /// Small holes of designs are, but no few edges of a scan.
     bool is_drawn(float shortest_line, bool is_design) const {
-        const bool is_ragged =
-            pieces < kPiecesOfAFault * faults && length < kRaggedPiece * float(pieces);
+        const bool is_ragged = pieces < kPiecesOfAFault * faults &&
+                               (!is_design || length < kRaggedPiece * float(pieces));
         return !is_ragged && ((is_design && faults == 0) || length >= kShortNet * shortest_line);
     }
 };
