@@ -50,8 +50,8 @@ lines_of("side.ply", r"orthographic, along the view direction -1 0 0 \(Left\)", 
 lines_of("other.ply", "perspective, from the viewpoint 5 1 1", view=1, viewpoint=(5, 1, 1))
 expect_no_text("log", WARNING)
 # in the hole of the torus
-lines_of("within.ply", WARNING + r" 0 0 0\.1 is within the bounding box of the layer, which reaches from -1\..* to 1\..*: not all of "
-         "it is in sight", view=1, viewpoint=(0, 0, 0.1))
+lines_of("within.ply", WARNING + r" 0 0 0\.1 is within the bounding box of the layer, which reaches from -1\..* to 1\..*\. Take a "
+         "viewpoint farther away", view=1, viewpoint=(0, 0, 0.1))
 
 for reason, settings in (
         (r'There is no window with a current view\. Set "View" to 3 \(Front\)', {"view": 0}),
