@@ -32,6 +32,8 @@ constexpr float kLeastMeasuredAngle = 20;  // degrees
 // edge that continues a strong one may be weak.
 constexpr float kStrong = 0.5f, kWeak = 0.25f;
 
+constexpr std::uint32_t kFewTriangles = 1000;  // of forms whose edges are single ones
+
 // Samples for share_of_triangular_faces().
 constexpr std::uint32_t kMostPlaces = 4000;
 constexpr std::size_t kMostParts = 256;   // a triangle subdivided four times
@@ -97,7 +99,7 @@ public:
             return edge.verdict == Verdict::Noise || edge.shown_up_to < least_angle;
         };
         edges.erase(std::remove_if(edges.begin(), edges.end(), is_unused), edges.end());
-        return {std::move(edges), is_cad_};
+        return {std::move(edges), is_cad_, !is_cad_ && surface_.triangle_count() >= kFewTriangles};
     }
 
 private:

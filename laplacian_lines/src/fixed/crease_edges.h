@@ -39,6 +39,8 @@ struct CreaseEdges {
     std::vector<CreaseEdge> edges;
     /// Whether the mesh was designed: FlatFaces::is_cad_mesh(), and no scan that was subdivided.
     bool is_design = false;
+    /// Whether edges are parts of a fold: it was not, and has many triangles.
+    bool is_scan = false;
 };
 
 /// All edges that a style with this crease angle, in degrees, or a larger one may draw. The number

@@ -21,7 +21,7 @@ namespace {
 constexpr float kShortNet = 3;  // shortest lines; a bad place of a scan may have some edges
 // Where triangles are as large as the radius of a rounded edge, some edges are as sharp as creases,
 // in zigzags with gaps: ridges show these better. So are single folds of a scan.
-constexpr float kRaggedPiece = 0.015f;        // D; longer ones of a design are those of its form
+constexpr float kRaggedPiece = 0.015f;        // D; longer ones but of scans are those of a form
 constexpr std::uint32_t kPiecesOfAFault = 6;  // fewer per fault are ragged
 
 /// The creases that a style draws, joined to lines.
@@ -40,10 +40,11 @@ struct CreaseNet {
     std::uint32_t faults = 0;
 
     /// Small holes of designs are, but no few edges of a scan.
-    bool is_drawn(float shortest_line, bool is_design) const {
+    bool is_drawn(float shortest_line, const CreaseEdges& found) const {
         const bool is_ragged = pieces < kPiecesOfAFault * faults &&
-                               (!is_design || length < kRaggedPiece * float(pieces));
-        return !is_ragged && ((is_design && faults == 0) || length >= kShortNet * shortest_line);
+                               (found.is_scan || length < kRaggedPiece * float(pieces));
+        return !is_ragged &&
+               ((found.is_design && faults == 0) || length >= kShortNet * shortest_line);
     }
 };
 
@@ -51,7 +52,7 @@ struct CreaseNet {
 /// two of them meet. The edges must outlive the result.
 class CreaseTracer {
 public:
-    CreaseTracer(const CreaseEdges& found, float least_angle) : is_design_(found.is_design) {
+    CreaseTracer(const CreaseEdges& found, float least_angle) : found_(found) {
         for (const CreaseEdge& edge : found.edges) {
             if (edge.shown_up_to < least_angle) continue;
             edges_.push_back(&edge);
@@ -72,7 +73,7 @@ public:
             add(line, nets[connected.root(line.nodes[0])]);
         for (const PieceGraph::Line& line : lines) {
             const CreaseNet& net = nets[connected.root(line.nodes[0])];
-            if (!net.is_drawn(traced.shortest_line, is_design_)) continue;
+            if (!net.is_drawn(traced.shortest_line, found_)) continue;
             const Polyline& appended = append_line(
                 data, LineKind::Crease, line,
                 [&](std::uint32_t n) -> const Eigen::Vector3f& { return positions_[n]; },
@@ -122,7 +123,7 @@ private:
                (graph_.pieces_at(line.nodes.back()) == 1);
     }
 
-    const bool is_design_;
+    const CreaseEdges& found_;
     std::vector<const CreaseEdge*> edges_;  // by piece
     PieceGraph graph_;
     std::vector<Eigen::Vector3f> positions_;  // by node
