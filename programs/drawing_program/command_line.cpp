@@ -94,7 +94,7 @@ bool take_option(const std::string& word, Words& rest, Words& formats, CommandLi
 
 /// A folder of drawings exists, or is named like one.
 void name_files(const Words& names, CommandLine& result) {
-    if (names.size() < 2) refuse("name two files: the drawing and the mesh; see --help.");
+    if (names.size() < 2) refuse("name the drawing first, then the mesh; see --help.");
     if (is_named_like_mesh(names[0]))
         refuse("\"" + names[0] + "\" is a mesh: name the drawing first, as in laplacian-lines " +
                "drawing.svg " + names[0]);

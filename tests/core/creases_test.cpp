@@ -7,6 +7,7 @@
 
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
+#include "laplacian_lines/refinement.h"
 
 namespace {
 
@@ -316,6 +317,27 @@ TEST(Creases, AreTheRimsOfSmallHoles) {
 /// Steps as high as a voxel are flat and sharp as made parts are.
 TEST(Creases, AreNotTheStepsOfSegmentedVolumes) {
     EXPECT_TRUE(creases_of(test_meshes::terraced_head(60)).lines.empty());
+}
+
+/// A bent tube of strips, of which hardly any are flat faces of several triangles.
+TEST(Creases, AreTheEndsOfNarrowTriangles) {
+    constexpr std::uint32_t sides = 150;
+    std::vector<Ring> rings;
+    for (const auto& [radius, aside] :
+         std::vector<std::pair<double, double>>{{1, 0}, {1.2, 0.3}, {1.1, 0.2}, {0.7, -0.4}}) {
+        const auto number = double(rings.size());
+        rings.push_back(circle(sides, radius, 3 * number, kTurn / (2 * sides) * number));
+        for (Eigen::Vector3d& p : rings.back())
+            p = Eigen::Vector3d(p.x() + aside, 0.8 * p.y(), p.z());
+    }
+    const TriangleMesh tube = joined(rings);
+    EXPECT_EQ(refined(tube).triangles.size(), tube.triangles.size());
+    double length = 0;
+    for (std::uint32_t i = 0; i < sides; ++i)
+        for (const Ring& ring : {rings.front(), rings.back()})
+            length += (ring[(i + 1) % sides] - ring[i]).norm();
+    length /= precompute(tube).scale.diagonal;
+    EXPECT_NEAR(helpers::total_length(creases_of(tube)), length, 0.01 * length);
 }
 
 /// A triangle or two of a scan that stick out.

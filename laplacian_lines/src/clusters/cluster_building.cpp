@@ -45,7 +45,7 @@ public:
         data_.border_edge_count = links_.number_count;
         data_.vertex_count = std::uint32_t(mesh_.size());
         judge_borders(sides);
-        if (follows_edges(mesh_, data_.flat_share > kCadShare, field_))
+        if (follows_edges(mesh_, data_.is_cad, field_))
             data_.horizon = find_edge_horizon(mesh_, sides, data_.is_body);
         find_convex();
         stage.report(kLinked);
@@ -73,6 +73,7 @@ private:
     void judge_faces(const CornerTable& sides) {
         const FlatFaces faces = flat_faces(mesh_, sides);
         data_.flat_share = faces.share;
+        data_.is_cad = faces.is_cad_mesh();
         // edges of rough meshes, and faces between them, are those of noise or of voxels
         shapes_ = data_.is_rough ? std::vector<FaceShape>(mesh_.triangles.size(), FaceShape::Curved)
                                  : face_shapes(mesh_, sides, faces);

@@ -38,6 +38,7 @@ struct ExtractorData {
     double squared_scale = 0;                          ///< h_e that slopes are measured by, D²
     double laplacian_squared_scale = 0;                ///< that of slopes of Laplacian lines
     double flat_share = 0;                             ///< of the area, see flat_faces.h
+    bool is_cad = false;                               ///< FlatFaces::is_cad_mesh()
     bool is_rough = false;  ///< edges of the mesh are those of noise or voxels, not of the form
     bool is_sheet = false;  ///< its borders are so long that it is seen from both sides
     /// Closed, two triangles an edge, facing outwards: it hides what faces away.

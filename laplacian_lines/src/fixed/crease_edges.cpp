@@ -83,9 +83,7 @@ double share_of_triangular_faces(const Surface& surface, float flat) {
 class CreaseFinder {
 public:
     CreaseFinder(const ExtractorData& data, const Surface& surface)
-        : surface_(surface),
-          is_cad_(data.flat_share > kCadShare &&
-                  (1 - share_of_triangular_faces(surface_, flat_)) * data.flat_share > kCadShare) {}
+        : surface_(surface), is_cad_(data.is_cad && !is_subdivided(data.flat_share)) {}
 
     CreaseEdges run(float least_angle) const {
         std::vector<CreaseEdge> edges = find_bent_edges();
@@ -103,6 +101,12 @@ public:
     }
 
 private:
+    /// Whether flat faces are those into which triangles of a scan were cut.
+    bool is_subdivided(double flat_share) const {
+        return flat_share > kCadShare &&
+               (1 - share_of_triangular_faces(surface_, flat_)) * flat_share <= kCadShare;
+    }
+
     std::vector<CreaseEdge> find_bent_edges() const {
         const float bent =
             cosine_of((is_cad_ ? kLeastCreaseAngle : kLeastMeasuredAngle) / kDegrees);

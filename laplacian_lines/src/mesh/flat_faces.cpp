@@ -50,13 +50,14 @@ FlatFaces flat_faces(const PreparedMesh& mesh, const CornerTable& sides) {
     }
     const double all = sum_of(count, [&](std::size_t t) { return areas[t]; });
     const auto share_of = [&](auto is_counted) {
-        return sum_of(count,
-                      [&](std::size_t t) { return is_counted(faces.face_of[t]) ? areas[t] : 0; }) /
-               all;
+        return sum_of(count, [&](std::size_t t) { return is_counted(t) ? areas[t] : 0; }) / all;
     };
-    faces.share = share_of([&](std::uint32_t face) { return faces.has_several[face]; });
+    faces.share = share_of([&](std::size_t t) { return faces.has_several[faces.face_of[t]]; });
     faces.large_share =
-        share_of([&](std::uint32_t face) { return faces.areas[face] >= kLargeFace * all; });
+        share_of([&](std::size_t t) { return faces.areas[faces.face_of[t]] >= kLargeFace * all; });
+    faces.narrow_share = share_of([&](std::size_t t) {
+        return longest_squared(mesh.positions, mesh.triangles[t]) >= kNarrow * areas[t];
+    });
     return faces;
 }
 

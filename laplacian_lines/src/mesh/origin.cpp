@@ -63,7 +63,8 @@ Origin origin_of(PreparedMesh& mesh) {
     const CornerTable& sides = sides_of(mesh);
     const FlatFaces flat = flat_faces(mesh, sides);
     if (!flat.is_cad_mesh()) return Origin::Scan;
-    if (share_of_long(mesh, kLongSide * mesh.mean_edge) < kMostUneven && are_of_voxels(flat))
+    if (flat.share > kCadShare && share_of_long(mesh, kLongSide * mesh.mean_edge) < kMostUneven &&
+        are_of_voxels(flat))
         return Origin::Voxels;
     return share_of_long(mesh, kDesignedKernel) > kCoarseShare ? Origin::Design
                                                                : Origin::FineDesign;
