@@ -7,7 +7,6 @@
 
 #include "planes/cutting.h"
 #include "planes/hatching.h"
-#include "strokes/refining.h"
 
 namespace line_drawing {
 namespace {

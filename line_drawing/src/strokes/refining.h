@@ -18,13 +18,6 @@ inline const Eigen::Vector2d& position_of(const DrawnPoint& point) {
 inline Eigen::Vector2d between(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double t) {
     return a + t * (b - a);
 }
-inline DrawnPoint between(const DrawnPoint& a, const DrawnPoint& b, double t) {
-    LineOrigin origin = t < 0.5 ? a.origin : b.origin;
-    origin.depth = a.origin.depth + t * (b.origin.depth - a.origin.depth);
-    return {between(a.position, b.position, t), a.weight + t * (b.weight - a.weight),
-            laplacian_lines::kNoNode,           a.is_exact && b.is_exact,
-            a.is_smoothed && b.is_smoothed,     origin};
-}
 
 /// With points at most `step` apart and no repeated ones, which have no direction.
 template <class Point>

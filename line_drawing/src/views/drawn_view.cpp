@@ -102,6 +102,17 @@ laplacian_lines::View Projection::view() const {
                       : laplacian_lines::View::orthographic(frame_.towards_viewer);
 }
 
+DrawnPoint between(const DrawnPoint& a, const DrawnPoint& b, double t) {
+    LineOrigin origin = t < 0.5 ? a.origin : b.origin;
+    origin.depth = a.origin.depth + t * (b.origin.depth - a.origin.depth);
+    return {a.position + t * (b.position - a.position),
+            a.weight + t * (b.weight - a.weight),
+            laplacian_lines::kNoNode,
+            a.is_exact && b.is_exact,
+            a.is_smoothed && b.is_smoothed,
+            origin};
+}
+
 DrawnLine with_points(const DrawnLine& line, std::vector<DrawnPoint> points, bool closed) {
     return {line.line_class, closed, std::move(points), line.jump, line.kind};
 }

@@ -62,6 +62,9 @@ struct DrawnPoint {
     bool stays() const { return is_exact || is_smoothed; }
 };
 
+/// The point at a share of the way.
+DrawnPoint between(const DrawnPoint& a, const DrawnPoint& b, double t);
+
 struct DrawnLine {
     LineClass line_class;
     bool closed;  ///< ends with a copy of its first point
