@@ -70,11 +70,11 @@ private:
         if (last <= first) return;
         const bool is_first = first == 0, is_last = last + 1 == places.size(),
                    is_whole = is_first && is_last;
+        const bool is_at_seam = stroke.closed && (is_first || is_last);
         double length = 0;
-        for (std::size_t i = first; i < last && !is_whole; ++i)
+        for (std::size_t i = first; i < last; ++i)
             length += (places[i + 1] - places[i]).head<2>().norm();
-        const bool goes_on = is_whole || (stroke.closed && (is_first || is_last));
-        if (!goes_on && length < shortest_remains_) return;
+        if (!is_whole && !is_at_seam && length < shortest_remains_) return;
         ViewLine line;
         const LineOrigin& most = most_of(stroke, first, last);
         line.kind = most.kind;

@@ -89,9 +89,10 @@ Net net_of(std::size_t first, const std::vector<DrawnLine>& lines, const Nodes& 
     std::size_t pieces = 0;  // between nodes
     is_known[first] = true;
     for (std::size_t k = 0; k < net.lines.size(); ++k) {
+        const DrawnLine& line = lines[net.lines[k]];
+        net.box.extend(box_of(line));
         std::size_t on_line = 0;
-        for (const DrawnPoint& point : lines[net.lines[k]].points) {
-            net.box.extend(point.position);
+        for (const DrawnPoint& point : line.points) {
             if (point.node != laplacian_lines::kNoNode) met.insert(point.node), ++on_line;
             for (const std::size_t other : nodes.lines_at(point)) {
                 if (is_known[other]) continue;
@@ -100,7 +101,7 @@ Net net_of(std::size_t first, const std::vector<DrawnLine>& lines, const Nodes& 
             }
         }
         pieces += std::max<std::size_t>(on_line, 1) - 1;
-        if (lines[net.lines[k]].closed) net.is_open = false;
+        if (line.closed) net.is_open = false;
     }
     net.is_open = net.is_open && pieces < std::max<std::size_t>(met.size(), 1);
     return net;
@@ -136,10 +137,7 @@ void trim_end(const Nodes& nodes, double shortest, std::vector<DrawnPoint>& poin
 
 /// A loop that its stroke fills is a dot, which shows no form.
 bool is_dot(const DrawnLine& line, double shortest) {
-    Eigen::AlignedBox2d box;
-    for (const DrawnPoint& point : line.points)
-        box.extend(point.position);
-    return box.sizes().maxCoeff() < shortest / 2 || length_of(line.points) < shortest;
+    return box_of(line).sizes().maxCoeff() < shortest / 2 || length_of(line.points) < shortest;
 }
 
 void trim(const Nodes& nodes, double shortest, DrawnLine& line) {

@@ -40,10 +40,7 @@ double mean_weight(const DrawnLine& line) {
 }
 
 double extent_of(const DrawnLine& line) {
-    Eigen::AlignedBox2d box;
-    for (const DrawnPoint& point : line.points)
-        box.extend(point.position);
-    return box.diagonal().norm();
+    return box_of(line).diagonal().norm();
 }
 
 double strength_of(const DrawnLine& line) {

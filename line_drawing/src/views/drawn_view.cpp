@@ -152,6 +152,13 @@ void shift_end(std::vector<DrawnPoint>& points, bool is_last, const Vector2d& sh
     }
 }
 
+Eigen::AlignedBox2d box_of(const DrawnLine& line) {
+    Eigen::AlignedBox2d box;
+    for (const DrawnPoint& point : line.points)
+        box.extend(point.position);
+    return box;
+}
+
 bool is_fixed(const DrawnLine& line) {
     return std::all_of(line.points.begin(), line.points.end(),
                        [](const DrawnPoint& point) { return point.stays(); });

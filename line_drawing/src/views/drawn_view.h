@@ -76,6 +76,7 @@ struct DrawnLine {
 /// The same line with other points: an open part of it, if not closed.
 DrawnLine with_points(const DrawnLine& line, std::vector<DrawnPoint> points, bool closed = false);
 std::vector<Eigen::Vector2d> positions_of(const DrawnLine& line);
+Eigen::AlignedBox2d box_of(const DrawnLine& line);
 /// The length from the point `begin` to the end.
 double length_of(const std::vector<DrawnPoint>& points, std::size_t begin = 0);
 
