@@ -32,9 +32,9 @@ QString automatic_steps_of(const Field& field, std::size_t faces) {
         steps += QString(", %1 duplicated vertices welded where they cut the surface open")
                      .arg(field.report.welded_vertices);
     if (field.report.roughness > 0)
-        steps += QString(", roughness %1: normals smoothed by %2 mean edges")
+        steps += QString(", roughness %1: normals smoothed by %2 % of the diagonal")
                      .arg(field.report.roughness, 0, 'f', 2)
-                     .arg(field.scale.normal_sigma / field.scale.mean_edge, 0, 'f', 2);
+                     .arg(100 * field.scale.normal_sigma / field.scale.diagonal, 0, 'f', 2);
     return steps;
 }
 

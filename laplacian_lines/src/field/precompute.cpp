@@ -58,7 +58,7 @@ double smoothing_sigma(const PreparedMesh& mesh, const PrecomputeOptions& option
     if (options.normal_sigma > 0 || !roughness) return options.normal_sigma * edge_of_options(mesh);
     if (mesh.origin == Origin::Design) return 0;
     const double of_drawing = options.drawn_kernel_size > 0 ? kDrawnSigma * kernel_size : 0;
-    return std::max({automatic_normal_sigma(*roughness) * mesh.mean_edge,
+    return std::max({automatic_normal_sigma(*roughness) * edge_of_options(mesh),
                      least_sigma(kernel_size, mesh.mean_edge), of_drawing});
 }
 
@@ -156,8 +156,9 @@ Field precompute(const TriangleMesh& mesh, const PrecomputeOptions& options,
     local.normals = vertex_normals(prepared, ranges, stage(kSorted, kNormals, "Computing normals"));
     take_normals(mesh, prepared, local.normals);
     const StageProgress smoothing = stage(kNormals, kSmoothNormals, "Smoothing normals");
-    local.roughness =
-        measure_roughness(prepared, ranges, tree, local.normals, smoothing.part(0, 0.3));
+    local.roughness = mesh.known_edge > 0 ? mesh.known_roughness
+                                          : measure_roughness(prepared, ranges, tree, local.normals,
+                                                              smoothing.part(0, 0.3));
     local.normal_sigma = smoothing_sigma(prepared, options, local.kernel_size, local.roughness);
     smooth_normals(prepared, tree, local.normal_sigma, smoothing.part(0.3, 1), local.normals);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn instead of a mesh:
-//  1. Subdivisions at the middles of edges are undone. Others follow for smooth surfaces alone.
+//  1. Subdivisions at the middles of edges are undone. Others follow for scans alone.
 //  2. Normals of its vertices are those of precompute(), across cuts.
 //  3. The middle of an edge is put on the cubic curve that leaves both ends normal to their
 //     normals; its normal is that of the quadratic between them which curved surfaces have.
@@ -159,7 +159,7 @@ void cut_finer(TriangleMesh& mesh, const StageProgress& stage) try {
     const SpatialTree tree = sort_in_space(prepared);
     const VertexRanges ranges(prepared);
     const auto normals = vertex_normals(prepared, ranges, stage.part(0.2, 0.3));
-    if (measure_roughness(prepared, ranges, tree, normals, stage.part(0.3, 0.5)) > 0) return;
+    mesh.known_roughness = measure_roughness(prepared, ranges, tree, normals, stage.part(0.3, 0.5));
     Refining refining(mesh, prepared, normals);
     for (int cuts = 0; cuts < kMostCuts && is_coarse(refining.mesh()); ++cuts)
         refining.cut_in_four();
