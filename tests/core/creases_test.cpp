@@ -183,6 +183,20 @@ TEST(Creases, AreNoFacets) {
         EXPECT_TRUE(creases_of(test_meshes::torus(columns, columns).mesh).lines.empty()) << columns;
 }
 
+/// The surface turns over and back between vertices that nobody sees apart.
+TEST(Creases, AreNoFoldsWithoutWidth) {
+    for (const std::uint32_t sides : {16u, 48u}) {
+        std::vector<Ring> rings = {circle(sides, 0.5, -1), circle(sides, 0.5, 0),
+                                   circle(sides, 0.5, 1)};
+        for (Ring& ring : rings) {
+            const Eigen::Vector3d p = ring.front();
+            ring.push_back({(1 + 1e-6) * p.x(), p.y(), p.z()});
+        }
+        const TriangleMesh mesh = joined(rings);
+        EXPECT_EQ(edges_of(mesh, creases_of(mesh)).size(), 2 * sides) << sides;
+    }
+}
+
 /// However narrow the face is, and where the circles at its ends are cut at other places.
 TEST(Creases, AreNoFacetsOfNarrowChamfers) {
     for (const std::uint32_t sides : {16u, 20u, 32u})

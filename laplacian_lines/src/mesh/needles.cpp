@@ -13,6 +13,7 @@
 
 #include "mesh/sides_by_edge.h"
 #include "mesh/triangle_sizes.h"
+#include "system/disjoint_sets.h"
 
 namespace laplacian_lines {
 namespace {
@@ -124,6 +125,19 @@ const std::vector<std::uint32_t>& at_longest(const Positions& positions, const T
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> ends_of_short_sides(const Positions& positions, double most_length,
+                                               const std::vector<Triangle>& triangles) {
+    const auto edges = collect<Edge>(3 * triangles.size(), [&](std::uint32_t side, auto& found) {
+        const Edge edge = edge_of(triangles, side);
+        if ((positions[edge[0]] - positions[edge[1]]).norm() <= most_length) found.push_back(edge);
+    });
+    if (edges.empty()) return {};
+    DisjointSets places(positions.size());
+    for (const Edge& edge : edges)
+        places.unite(edge[0], edge[1]);
+    return places.take_roots();
+}
 
 void flip_low_triangles(const Positions& positions, double least_height,
                         std::vector<Triangle>& triangles) {

@@ -14,6 +14,12 @@ namespace laplacian_lines {
 void unfold_needles(const std::vector<Eigen::Vector3d>& positions,
                     std::vector<Triangle>& triangles);
 
+/// By vertex: the smallest of those that sides of at most this length connect with it; empty if no
+/// side is so short.
+std::vector<std::uint32_t> ends_of_short_sides(const std::vector<Eigen::Vector3d>& positions,
+                                               double most_length,
+                                               const std::vector<Triangle>& triangles);
+
 /// Flips the longest sides of triangles that are at most so high, so that none is left where it has
 /// one neighbour there: dropping them would leave slits.
 void flip_low_triangles(const std::vector<Eigen::Vector3d>& positions, double least_height,

@@ -4,7 +4,8 @@
 //  2. T-junctions are cut, the copies of a doubled mesh dropped, and vertices at one place, or
 //     across a crack, welded where they cut the surface open.
 //  3. Used vertices are kept, in coordinates around the bounding box's centre and in units of its
-//     diagonal D. Triangles that lose their area by rounding are dropped as well.
+//     diagonal D. Triangles that lose their area by rounding are dropped as well, and vertices
+//     welded that nobody sees apart: a fold as narrow would have an edge.
 //  4. Triangles folded over by a needle's width are unfolded, and all turned outwards.
 //  5. The mean edge is measured, and whether coordinates are so coarse that smooth surfaces bend.
 #include "mesh/prepared_mesh.h"
@@ -40,6 +41,10 @@ constexpr std::size_t kFewTriangles = 1000;  // coordinates of so few may be rou
 constexpr std::size_t kMostPerVertex = 3;    // closed surfaces have two triangles a vertex
 // In steps: if no triangle is larger, the form consists of voxels or hexahedra.
 constexpr double kCell = 2.5;
+
+// Below these, a side has no length: of D, and of the mean edge, since D may be that of parts that
+// lie far off.
+constexpr double kShortOfDiagonal = 1e-6, kShortOfEdge = 1e-3;
 
 using Positions = std::vector<Eigen::Vector3d>;
 
@@ -108,20 +113,46 @@ void stitch(const TriangleMesh& mesh, const std::vector<std::uint32_t>& place_of
     prepared.triangles = with_places(std::move(prepared.triangles), representative);
 }
 
-/// Around the mesh's centre, coordinates may be coarser than around the origin. Drops triangles
-/// that lose their area by this and restores the vertices of the others. Returns whether any was
-/// dropped.
-bool drop_lost_triangles(PreparedMesh& prepared) {
-    std::vector<Triangle> usable = usable_triangles(prepared.positions, prepared.triangles);
-    expect_surface(usable);
+/// Keeps these triangles, with the vertices of the input. Returns whether they are fewer.
+bool restrict_to(std::vector<Triangle> usable, PreparedMesh& prepared) {
     const std::size_t lost = prepared.triangles.size() - usable.size();
     if (lost == 0) return false;
+    expect_surface(usable);
     prepared.report.degenerate_triangles += lost;
-    for (Triangle& t : usable)
-        for (std::uint32_t& v : t)
-            v = prepared.original_vertex[v];
-    prepared.triangles.swap(usable);
+    prepared.triangles = with_places(std::move(usable), prepared.original_vertex);
     return true;
+}
+
+/// Around the mesh's centre, coordinates may be coarser than around the origin: drops triangles
+/// that lose their area by this. Returns whether any did.
+bool drop_lost_triangles(PreparedMesh& prepared) {
+    return restrict_to(usable_triangles(prepared.positions, prepared.triangles), prepared);
+}
+
+/// Welds the ends of sides that have no length, and drops the triangles at these. Returns whether
+/// there were any.
+bool weld_short_sides(const TriangleMesh& mesh, PreparedMesh& prepared) {
+    const Positions& positions = prepared.positions;
+    const double most =
+        std::min(kShortOfDiagonal, kShortOfEdge * mean_edge(positions, prepared.triangles));
+    const std::vector<std::uint32_t> ends =
+        ends_of_short_sides(positions, most, prepared.triangles);
+    if (ends.empty()) return false;
+    std::vector<std::uint32_t>& representative = prepared.representative;
+    if (representative.empty()) {
+        representative.resize(mesh.positions.size());
+        std::iota(representative.begin(), representative.end(), 0u);
+    }
+    std::vector<std::uint32_t> place(representative.size());
+    std::iota(place.begin(), place.end(), 0u);
+    for (std::uint32_t v = 0; v < ends.size(); ++v) {
+        place[prepared.original_vertex[v]] = prepared.original_vertex[ends[v]];
+        prepared.report.welded_vertices += ends[v] != v;
+    }
+    for (std::uint32_t& v : representative)
+        v = place[v];
+    return restrict_to(usable_triangles(positions, with_places(prepared.triangles, ends)),
+                       prepared);
 }
 
 void keep_used_vertices(const TriangleMesh& mesh, PreparedMesh& prepared) {
@@ -260,7 +291,8 @@ PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, Facing facing
     do {
         keep_used_vertices(mesh, prepared);
         to_local_coordinates(mesh, prepared);
-    } while (drop_lost_triangles(prepared));
+    } while (drop_lost_triangles(prepared) ||
+             (cuts == Cuts::Stitched && weld_short_sides(mesh, prepared)));
     unfold_needles(prepared.positions, prepared.triangles);
     if (facing == Facing::Outwards) orient(prepared);
     prepared.report.unreferenced_vertices -= prepared.report.welded_vertices;

@@ -22,7 +22,6 @@
 #include "mesh/equal_positions.h"
 #include "mesh/needles.h"
 #include "mesh/triangle_sizes.h"
-#include "system/disjoint_sets.h"
 #include "visibility/edge_building.h"
 #include "visibility/vertex_lookup.h"
 
@@ -178,14 +177,8 @@ void merge_places(double crack, VisibilityMesh& mesh) {
 
 /// Makes one vertex of the ends of sides that are not longer than the precision.
 void collapse_short_sides(VisibilityMesh& mesh) {
-    DisjointSets places(mesh.positions.size());
-    for (const Triangle& t : mesh.triangles)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t a = t[k], b = t[(k + 1) % 3];
-            if ((mesh.positions[a] - mesh.positions[b]).norm() <= mesh.precision)
-                places.unite(a, b);
-        }
-    mesh.triangles = with_places(std::move(mesh.triangles), places.take_roots());
+    const auto places = ends_of_short_sides(mesh.positions, mesh.precision, mesh.triangles);
+    if (!places.empty()) mesh.triangles = with_places(std::move(mesh.triangles), places);
 }
 
 /// The steps above.
