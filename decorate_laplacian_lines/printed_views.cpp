@@ -16,9 +16,10 @@ namespace {
 
 /// Pause after the last change before a drawing is shown, and the least before it is begun.
 constexpr int kMillisecondsAtRest = 150, kMillisecondsIdle = 50;
-constexpr int kIdleChanges = 2;  // pauses between changes without which the view is at rest
+constexpr int kIdleChanges = 2;  // at rest after so many times the last interval between changes
 
-/// Up to rounding: MeshLab computes the projection of a snapshot in another way.
+/// Up to rounding, since MeshLab computes the projection of a snapshot in another way, and without
+/// near and far, which move no line.
 bool are_equal(const Eigen::Matrix4d& projection, const Eigen::Matrix4d& other) {
     return meshlab_host::is_orthographic(projection) == meshlab_host::is_orthographic(other) &&
            projection.topRows<2>().isApprox(other.topRows<2>(), 1e-6);
@@ -132,25 +133,29 @@ void PrintedViews::run(Running& running) noexcept {
     }
 }
 
+/// A view without a picture first: with the kernel at hand it gets one soon.
 void PrintedViews::start_next() {
     if (is_quitting_ || running_) return;
-    for (const auto& [view, entry] : entries_) {
-        if (!entry.is_due()) continue;
-        try {
-            auto next = std::make_unique<Running>();
-            next->view = view;
-            next->what = entry.wanted;
-            next->may_wait = entry.print.picture != nullptr;
-            thread_ = std::thread([this, running = next.get()] {
-                run(*running);
-                running->is_over = true;
-                QMetaObject::invokeMethod(
-                    &rest_, [this] { finish(); }, Qt::QueuedConnection);
-            });
-            running_ = std::move(next);
-        } catch (const std::exception&) {  // no thread: lines stay live
-        }
-        return;
+    const auto rank = [](const Entry& entry) {
+        return !entry.is_due() ? 2 : entry.print.picture ? 1 : 0;
+    };
+    const auto first = std::min_element(
+        entries_.begin(), entries_.end(),
+        [&](const auto& a, const auto& b) { return rank(a.second) < rank(b.second); });
+    if (first == entries_.end() || !first->second.is_due()) return;
+    try {
+        auto next = std::make_unique<Running>();
+        next->view = first->first;
+        next->what = first->second.wanted;
+        next->may_wait = first->second.print.picture != nullptr;
+        thread_ = std::thread([this, running = next.get()] {
+            run(*running);
+            running->is_over = true;
+            QMetaObject::invokeMethod(
+                &rest_, [this] { finish(); }, Qt::QueuedConnection);
+        });
+        running_ = std::move(next);
+    } catch (const std::exception&) {  // no thread: lines stay live
     }
 }
 

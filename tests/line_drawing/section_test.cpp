@@ -116,6 +116,20 @@ TEST(Walls, AreHatchedFilledOrEmpty) {
     EXPECT_EQ(none, 0u);
 }
 
+TEST(Walls, AreHatchedWithFinePens) {
+    for (const Weights weights : {Weights::Illustrator, Weights::Iso})
+        for (const StrokeStyle strokes : {StrokeStyle::Tapered, StrokeStyle::Plain}) {
+            SheetOptions options = with_sections("", "x=0.5");
+            options.pens = pens_of(weights);
+            options.strokes = strokes;
+            const Sheet sheet = sheet_of(cube_of100(), options);
+            const auto& lines = layer_of(sheet.groups[0], "fine").paths;
+            ASSERT_GT(lines.size(), 50u);
+            for (const SheetPath& line : lines)
+                EXPECT_NEAR(line.pen_width, options.pens[std::size_t(LineClass::Fine)], 1e-9);
+        }
+}
+
 /// Of a view, without its marks.
 QRectF surface_of(SheetGroup view) {
     if (view.layers.back().key == "marks") view.layers.pop_back();

@@ -106,6 +106,11 @@ TEST(SheetLayout, TheOnlySectionIsBelowIfItHasNoPlaceBeside) {
 TEST(SheetLayout, TakesTheLargestUsualScaleThatFits) {
     EXPECT_EQ(sheet_of(fitting("front")).scale, 4);  // 240 mm on lying A4
     EXPECT_EQ(sheet_of(fitting("front", "a5")).scale, 2);
+    TriangleMesh higher = box();
+    for (Eigen::Vector3d& p : higher.positions)
+        p.y() *= 43. / 40;
+    EXPECT_EQ(sheet_helpers::sheet_of(higher, fitting("front")).scale, 4)
+        << "172 mm of 174, and no name below it";
     for (const char* name : paper_names())
         EXPECT_GT(sheet_of(fitting("front", name)).size.x(), 100) << name;
 }
@@ -115,6 +120,14 @@ TEST(SheetLayout, PaperCanBeAsLargeAsTheDrawing) {
     options.scale = 10;
     EXPECT_NEAR(sheet_of(options).size.x(), 600, 50);
     EXPECT_GT(sheet_of(options).size.x(), 600);
+}
+
+TEST(SheetLayout, PaperHasRoomForBarSymbolAndNote) {
+    SheetOptions options = fitting("front,left", "fit");
+    EXPECT_TRUE(sheet_of(options).remarks.empty());
+    options.scale = 0.1;
+    const Sheet sheet = sheet_of(options);
+    EXPECT_TRUE(sheet.remarks.empty()) << joined(sheet.remarks, " ");
 }
 
 TEST(SheetLayout, ScalesHaveNames) {

@@ -23,7 +23,9 @@ std::vector<Eigen::Vector2d> grid_parameters(const Grid& grid) {
     std::vector<Eigen::Vector2d> parameters;
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i) {
-            Eigen::Vector2d move(signed_unit(random), signed_unit(random));
+            Eigen::Vector2d move;
+            move.y() = signed_unit(random);
+            move.x() = signed_unit(random);
             if (!grid.wrap_u && (i == 0 || i == columns - 1)) move.x() = 0;
             if (!grid.wrap_v && (j == 0 || j == rows - 1)) move.y() = 0;
             move *= grid.jitter;
@@ -67,7 +69,7 @@ AnalyticMesh mapped_icosphere(int level, double jitter,
                               const std::function<SurfacePoint(const Eigen::Vector3d&)>& point) {
     AnalyticMesh result{icosphere(level), {}};
     std::mt19937 random(7);
-    const double edge = 1.1 / (1 << level);
+    const double edge = 1.1 / (1 << level);  // nearly: an icosahedron's is 1.05
     for (Eigen::Vector3d& p : result.mesh.positions) {
         const Eigen::Vector3d d = p;
         for (int k = 0; k < 3; ++k)
@@ -84,8 +86,7 @@ TriangleMesh welded(const TriangleMesh& mesh) {
     TriangleMesh result;
     for (Triangle t : mesh.triangles) {
         for (std::uint32_t& v : t) {
-            const Eigen::Vector3d p =
-                mesh.positions[v] + Eigen::Vector3d::Zero();  // -0 and 0 are one place
+            const Eigen::Vector3d& p = mesh.positions[v];
             const auto [found, is_new] = place.try_emplace(std::make_tuple(p.x(), p.y(), p.z()),
                                                            std::uint32_t(result.positions.size()));
             if (is_new) result.positions.push_back(p);

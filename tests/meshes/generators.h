@@ -81,7 +81,7 @@ TriangleMesh stacked(const std::vector<Eigen::Vector3d>& rectangles, unsigned di
 
 /// Unit radius, width 0.6, one half turn: not orientable.
 TriangleMesh moebius_strip(int columns, int rows);
-/// Half planes that meet in the z axis, equally spaced.
+/// Bent sheets that meet in the z axis, equally spaced.
 TriangleMesh fan_of_sheets(int sheets, int cells);
 /// Squares z = 0 facing down and z = `distance` facing up: a thin wall without rim.
 TriangleMesh parallel_sheets(int cells, double distance);
@@ -94,7 +94,8 @@ TriangleMesh cut_apart(const TriangleMesh& mesh);
 void append(TriangleMesh& mesh, const TriangleMesh& other);
 void flip_triangles(TriangleMesh& mesh, int every);  ///< reverses each `every`-th triangle
 TriangleMesh inside_out(TriangleMesh mesh);
-TriangleMesh cavity(TriangleMesh mesh);  ///< in a box: what is read as inside out, closed or not
+/// A box around the mesh, which is turned inside out: the inner wall of a hollow body.
+TriangleMesh cavity(TriangleMesh mesh);
 TriangleMesh moved(TriangleMesh mesh, const Eigen::Vector3d& by,
                    double factor = 1);  ///< scaled first
 /// Each triangle cut in four at the middles of its sides.

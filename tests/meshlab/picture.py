@@ -62,9 +62,10 @@ take("sheet.png", ["packed.ply.gz", "broken.ply", "points.ply", odd, "mended.ply
                    "torus.ply"], "--size", "500x400", code=1, said=[
     "broken.ply: MeshLab cannot read it: ", "points.ply: The mesh has no triangle with an area. .* reconstruct one first.$",
     "far.ply: a few vertices lie so far off that nothing could be seen of the rest; delete them$",
-    "crash.off: MeshLab('s own reader of .off files crashed MeshLab| cannot read it)", "not drawn: .*points.ply"])
+    "crash.off: MeshLab('s own reader of .off files crashed MeshLab| cannot read it)", r"not drawn: broken\.ply points\.ply far\.ply crash\.off$"])
 width = int(picture_size("sheet.png").split("x")[0])
 expect(width >= 2 * 516, f"the sheet is {width} pixels wide")
+expect(os.path.exists(drawing(4, 0, 0)), "a triangle without area is not left out")
 for row in (0, 3, 6, 8):
     expect_same_picture("drawing.png", drawing(row, 0, 0))
 take("none.png", ["points.ply"], code=1, said=["no picture was written"])
@@ -84,8 +85,11 @@ for options, faces in (("", "front 360x270 180,0 360x270 left 240x360 top 360x18
         expect(abs(width - expected[0]) <= 3 and abs(height - expected[1]) <= 3,
                f"{options} {views[number]} shows something of {width}x{height} instead of {size}")
         expect(abs(2 * left + width - 400) <= 4 and abs(2 * top + height - 400) <= 4, f"{views[number]} is not in the middle")
-# in perspective there is up to an eighth more air around it, and what is nearer is larger
+# in perspective there is up to an eighth more air around it
+take("face.png", ["box.ply"], "--size", "400x400", "--view", "30,20", "--orthographic")
+os.rename("face.png", "parallel.png")
 take("face.png", ["box.ply"], "--size", "400x400", "--view", "30,20")
+expect_other_picture("face.png", "parallel.png")
 width, height, left, top = drawn("face.png")
 expect(310 < max(width, height) <= 364 and abs(2 * left + width - 400) <= 4 and abs(2 * top + height - 400) <= 4,
        f"in perspective, the box is {width}x{height} at {left}, {top}")

@@ -7,7 +7,7 @@
 #include "options/paper_and_pens.h"
 #include "options/progress_part.h"
 #include "pixels/painting.h"
-#include "sheet/sheet_layout.h"
+#include "sheet/view_drawing.h"
 #include "sight/object_lines.h"
 #include "sight/view_builder.h"
 

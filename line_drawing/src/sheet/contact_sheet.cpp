@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "options/paper_and_pens.h"
+#include "sheet/sheet_annotations.h"
 #include "sheet/sheet_layout.h"
 #include "views/drawn_view.h"
 

@@ -16,7 +16,9 @@
 #include "options/paper_and_pens.h"
 #include "options/progress_part.h"
 #include "planes/lettering.h"
+#include "sheet/sheet_annotations.h"
 #include "sheet/sheet_layout.h"
+#include "sheet/view_drawing.h"
 #include "sight/object_lines.h"
 #include "sight/view_builder.h"
 
@@ -157,8 +159,9 @@ Sheet draw(const ViewBuilder& builder, Draft& draft, const Progress& progress) {
         sheet.groups[i] = draw_view(views[i], i + 1, layout.placements[i], options);
     });
     make_keys_unique(sheet.groups);
-    SheetGroup annotations = draw_annotations(
-        views, layout, options.mm_per_unit * builder.object_size(), options, sheet);
+    SheetGroup annotations =
+        draw_annotations(views, layout, options.mm_per_unit * builder.object_size(), sheet.kernel,
+                         options, sheet.remarks);
     if (!annotations.layers.empty()) sheet.groups.push_back(std::move(annotations));
     if (options.text == TextStyle::Outlines) outline_texts(sheet);
     return sheet;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What stands around the views: their names, and in a strip at the bottom the title and notes on
 // the left, the projection symbol and the scale bar on the right. Long texts are first set smaller.
-#include "sheet/sheet_layout.h"
+#include "sheet/sheet_annotations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,8 @@ constexpr double kTitleHeight = 4, kNoteHeight = 2.6, kLongestBar = 50, kBarHeig
 constexpr double kLeastHeight = 1.8, kSmaller = 0.94;           // of letters; factor of a step
 constexpr double kHeightOfTwoLines = 3.2, kLineDistance = 1.3;  // of a title; of its height
 constexpr double kWidestFont = 1.15;                            // of our letters' width
-constexpr double kSymbolHeight = 5, kSymbolWidth = 14, kStripGap = 6;
+constexpr double kSymbolHeight = 5, kSymbolWidth = 14, kStripGap = 6, kShortNote = 40;
+constexpr double kTitleAbove = 1.6;  // the note, in heights of its letters
 const char* const kNoScale = "perspective, not to scale";
 
 /// Filled if `pen` is 0.
@@ -31,12 +32,14 @@ SheetPath rectangle(const Vector2d& corner, double width, double height, double 
     return result;
 }
 
-/// How many letters fit, 1 at least.
+/// How many letters fit.
 std::size_t fitting(std::u32string_view letters, double height, double width) {
     std::size_t count = 0;
-    for (; count < letters.size() && width >= 0; ++count)
+    for (; count < letters.size(); ++count) {
         width -= kWidestFont * height * width_of(letters[count]);
-    return width < 0 && count > 1 ? count - 1 : count;
+        if (width < 0) break;
+    }
+    return count;
 }
 
 struct FittedText {
@@ -49,7 +52,7 @@ struct FittedText {
 FittedText wrapped(std::u32string_view rest, double height, double width, std::size_t most_lines) {
     FittedText text{height, {}};
     while (!rest.empty() && text.lines.size() < most_lines) {
-        std::size_t count = fitting(rest, height, width);
+        std::size_t count = std::max<std::size_t>(fitting(rest, height, width), 1);
         const std::size_t space = rest.substr(0, count + 1).rfind(U' ');
         if (count < rest.size() && space != rest.npos && space > 0) count = space;
         text.lines.emplace_back(rest.substr(0, count));
@@ -65,8 +68,10 @@ FittedText fit(const std::string& text, double height, double least, double widt
                std::size_t most_lines) {
     const std::u32string letters = letters_of(text);
     FittedText fitted = wrapped(letters, height, width, most_lines);
-    for (; fitted.is_cut && height > least; height *= kSmaller)
-        fitted = wrapped(letters, std::max(least, height * kSmaller), width, most_lines);
+    while (fitted.is_cut && height > least) {
+        height = std::max(least, height * kSmaller);
+        fitted = wrapped(letters, height, width, most_lines);
+    }
     if (!fitted.is_cut) return fitted;
     fitted.lines.back() =
         letters_of(elided(in_utf8(fitted.lines.back() + U" \u2026"), fitted.height, width));
@@ -77,11 +82,11 @@ SheetLayer view_names(const std::vector<DrawnView>& views, const SheetLayout& la
     SheetLayer layer{"names", "Names of views", {}, {}};
     for (std::size_t i = 0; i < views.size(); ++i) {
         const Eigen::AlignedBox2d& place = layout.placements[i].on_sheet(views[i].bounds);
-        layer.texts.push_back({{place.center().x(), place.max().y() + room_of_marks(views[i]).y() +
-                                                        2 * kViewNameHeight},
-                               kViewNameHeight,
-                               TextAnchor::Middle,
-                               name_of(views[i].frame, layout.scale > 0)});
+        layer.texts.push_back(
+            {{place.center().x(), place.max().y() + room_of_marks(views[i]).y() + kViewNameRow},
+             kViewNameHeight,
+             TextAnchor::Middle,
+             name_of(views[i].frame, layout.scale > 0)});
     }
     return layer;
 }
@@ -179,7 +184,7 @@ SheetLayer notes(const Vector2d& corner, double width, const std::string& note,
     if (below.is_cut) remarks.push_back(remark_on("The note below the drawing", below));
     FittedText above = fit(title, kTitleHeight, kHeightOfTwoLines, width, 1);
     if (above.is_cut) above = fit(title, kHeightOfTwoLines, kLeastHeight, width, 2);
-    add_lines(above, corner - Vector2d(0, 1.6 * kNoteHeight), layer);
+    add_lines(above, corner - Vector2d(0, kTitleAbove * kNoteHeight), layer);
     if (above.height < kTitleHeight) remarks.push_back(remark_on("The title", above));
     return layer;
 }
@@ -191,8 +196,17 @@ bool shows_sides(const std::vector<DrawnView>& views) {
 
 }  // namespace
 
-std::string name_of(const ViewFrame& frame, bool beside_scale) {
-    return frame.eye && beside_scale ? frame.name + " (" + kNoScale + ')' : frame.name;
+bool have_names(const std::vector<DrawnView>& views, const SheetOptions& options) {
+    return options.has_annotations && views.size() > 1;
+}
+
+std::string name_of(const ViewFrame& frame, bool sheet_has_scale) {
+    return frame.eye && sheet_has_scale ? frame.name + " (" + kNoScale + ')' : frame.name;
+}
+
+double least_strip_width(const std::vector<DrawnView>& views) {
+    const double symbol = shows_sides(views) ? kSymbolWidth + kStripGap : 0;
+    return kShortNote + kStripGap + symbol + kLongestBar;
 }
 
 double width_in_any_font(const std::string& text, double height) {
@@ -207,11 +221,11 @@ std::string elided(const std::string& text, double height, double width) {
 }
 
 SheetGroup draw_annotations(const std::vector<DrawnView>& views, const SheetLayout& layout,
-                            const Eigen::Vector3d& object_size, const SheetOptions& options,
-                            Sheet& sheet) {
+                            const Eigen::Vector3d& object_size, double kernel,
+                            const SheetOptions& options, std::vector<std::string>& remarks) {
     SheetGroup group{"sheet", "Sheet", {}};
     if (!options.has_annotations) return group;
-    if (views.size() > 1) group.layers.push_back(view_names(views, layout));
+    if (have_names(views, options)) group.layers.push_back(view_names(views, layout));
     const double bottom = layout.size.y() - kSheetMargin;
     double right = layout.size.x() - kSheetMargin;
     if (layout.scale > 0) {
@@ -225,8 +239,8 @@ SheetGroup draw_annotations(const std::vector<DrawnView>& views, const SheetLayo
         group.layers.push_back(std::move(layer));
     }
     group.layers.push_back(notes({kSheetMargin, bottom}, right - kSheetMargin,
-                                 note_of(views, layout, object_size, options, sheet.kernel),
-                                 options.title, sheet.remarks));
+                                 note_of(views, layout, object_size, options, kernel),
+                                 options.title, remarks));
     return group;
 }
 

@@ -16,6 +16,7 @@
 #include "line_drawing/words.h"
 #include "options/paper_and_pens.h"
 #include "sections/section_marks.h"
+#include "sheet/sheet_annotations.h"
 #include "sheet/view_cells.h"
 
 namespace line_drawing {
@@ -62,13 +63,15 @@ class Layout {
 public:
     Layout(const std::vector<DrawnView>& views, const SheetOptions& options,
            const CellChoice& choice)
-        : options_(options), cells_(cells_of(views, options, choice)) {
+        : name_row_(have_names(views, options) ? kViewNameRow : 0),
+          strip_width_(least_strip_width(views)),
+          cells_(cells_of(views, options, choice)) {
         for (std::size_t i = 0; i < views.size(); ++i) {
             const auto& box = views[i].bounds;
             const Vector2d room = room_of_marks(views[i]);
             Band& column = columns_[cells_[i].column];
             column.hold(-box.min().x(), box.max().x(), room.x());
-            if (options.has_annotations && views.size() > 1)
+            if (name_row_ > 0)
                 column.name =
                     std::max(column.name,
                              width_in_any_font(name_of(views[i].frame, !are_in_perspective(views)),
@@ -79,9 +82,15 @@ public:
 
     /// Of all views with their names, without the strip of notes below them.
     Vector2d size_at(double scale) {
-        const double below = options_.has_annotations ? 2 * kViewNameHeight : 0;
         return {set_middles(columns_, 0, scale, kViewGap),
-                set_middles(rows_, 0, scale, kViewGap + below) + below};
+                set_middles(rows_, 0, scale, kViewGap + name_row_) + name_row_};
+    }
+
+    /// On paper as large as the drawing.
+    SheetLayout lay_out_freely(double scale) {
+        const Vector2d size = size_at(scale);
+        return lay_out(scale, {std::max(strip_width_, size.x()) + 2 * kSheetMargin,
+                               size.y() + 2 * kSheetMargin + kStripHeight});
     }
 
     /// In the middle of the paper above the strip.
@@ -98,7 +107,7 @@ public:
     }
 
 private:
-    const SheetOptions& options_;
+    const double name_row_, strip_width_;  // mm
     const std::vector<Cell> cells_;
     Bands rows_, columns_;
 };
@@ -149,14 +158,6 @@ CellChoice choose_cells(const std::vector<DrawnView>& views, const SheetOptions&
     return best;
 }
 
-/// On paper as large as the drawing.
-SheetLayout lay_out_freely(Layout& layout, double scale) {
-    constexpr double least_width = 90;  // of the strip below the drawing
-    const Vector2d size = layout.size_at(scale);
-    return layout.lay_out(scale, {std::max(least_width, size.x()) + 2 * kSheetMargin,
-                                  size.y() + 2 * kSheetMargin + kStripHeight});
-}
-
 /// The scale at which the table just fits. Its size grows in proportion from some scale on; below,
 /// names may be wider than their views. If what follows from the proportion does not fit, the gaps
 /// and names alone are taken from the paper.
@@ -178,7 +179,7 @@ SheetLayout lay_out_filling(Layout& layout, const std::optional<Vector2d>& paper
     const double a = filling_scale(layout, upright), b = filling_scale(layout, lying);
     if (!(std::max(a, b) > 0) || !std::isfinite(std::max(a, b)))
         refuse("Nothing of the object is in sight, or the paper has no room for so many views.");
-    SheetLayout result = !paper  ? lay_out_freely(layout, std::max(a, b))
+    SheetLayout result = !paper  ? layout.lay_out_freely(std::max(a, b))
                          : b > a ? layout.lay_out(b, lying)
                                  : layout.lay_out(a, upright);
     result.scale = 0;
@@ -218,7 +219,7 @@ SheetLayout lay_out(const std::vector<DrawnView>& views, const SheetOptions& opt
     const std::optional<Vector2d> paper = paper_size(options.paper);
     Layout layout(views, options, paper ? choose_cells(views, options, *paper) : CellChoice());
     if (are_in_perspective(views)) return lay_out_filling(layout, paper);
-    if (!paper) return lay_out_freely(layout, options.scale > 0 ? options.scale : 1);
+    if (!paper) return layout.lay_out_freely(options.scale > 0 ? options.scale : 1);
     if (options.scale > 0) return lay_out_at(layout, options.scale, *paper, options.paper);
     return lay_out_largest(layout, *paper);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A view's marks on the page: lines become strokes (draw_lines() tells the order), closed outlines
 // areas, cut walls areas or hatching, in a layer for each class of lines.
-#include "sheet/sheet_layout.h"
+#include "sheet/view_drawing.h"
 
 #include <algorithm>
 #include <utility>
@@ -24,8 +24,8 @@ constexpr double kAreaTolerance = 0.001;    // mm: what files have
 constexpr double kContourSmoothing = 0.16;  // contours move by so much of the width of outlines
 constexpr double kInnerSmoothing = 0.6;     // inner lines by so much of their width
 constexpr double kLeastShare = 0.03;        // of the picture: least length of isolated lines
-constexpr double kHatchSpacing = 1.5, kHatchWidth = 0.5;  // mm; share of an inner line's width
-constexpr double kTouching = 0.1, kContactStep = 0.5;     // mm: nearer walls look like neighbours
+constexpr double kHatchSpacing = 1.5;       // mm
+constexpr double kTouching = 0.1, kContactStep = 0.5;  // mm: nearer walls look like neighbours
 
 struct LayerName {
     const char *key, *name;
@@ -87,7 +87,10 @@ struct HatchedWall {
 
 /// A wall has the direction opposite to that of the walls that it touches for longest (ISO 128-3),
 /// or else to that of the wall before.
-void add_hatching(const std::vector<MergedWalls>& walls, std::vector<DrawnLine>& lines) {
+void add_hatching(const std::vector<MergedWalls>& walls, const Pens& pens,
+                  std::vector<DrawnLine>& lines) {
+    // weights of fine lines are shares of an inner line's width
+    const double weight = pens[std::size_t(LineClass::Fine)] / pens[std::size_t(LineClass::Inner)];
     std::vector<HatchedWall> hatched;
     for (const MergedWalls& merged : walls) {
         HatchedWall wall(merged);
@@ -99,8 +102,7 @@ void add_hatching(const std::vector<MergedWalls>& walls, std::vector<DrawnLine>&
         wall.rise = around < 0 ? 1 : -1;
         for (const auto& ends :
              hatch(merged, Eigen::Vector2d(1, wall.rise).normalized(), kHatchSpacing))
-            lines.push_back(
-                {LineClass::Fine, false, {{ends[0], kHatchWidth}, {ends[1], kHatchWidth}}});
+            lines.push_back({LineClass::Fine, false, {{ends[0], weight}, {ends[1], weight}}});
         hatched.push_back(std::move(wall));
     }
 }
@@ -191,7 +193,7 @@ SheetGroup draw_view(const DrawnView& view, std::size_t number, const Placement&
     std::vector<DrawnLine> lines = draw_lines(view, placement, options);
     if (options.strokes == StrokeStyle::Tapered) point_ends(lines, options.pens);
     const std::vector<MergedWalls> walls = on_sheet(view.walls, placement);
-    if (options.wall == WallStyle::Hatched) add_hatching(walls, lines);
+    if (options.wall == WallStyle::Hatched) add_hatching(walls, options.pens, lines);
     if (options.area != OutlineArea::None) group.layers.push_back(areas(view, placement));
     for (std::size_t c = kLineClassCount; c-- > 0;) {
         SheetLayer layer{kLayerNames[c].key, kLayerNames[c].name, {}, {}};

@@ -7,9 +7,10 @@
 #include "options/paper_and_pens.h"
 #include "options/progress_part.h"
 #include "planes/corners.h"
-#include "sheet/sheet_layout.h"
+#include "sheet/view_drawing.h"
 #include "sight/object_lines.h"
 #include "sight/view_builder.h"
+#include "strokes/strokes.h"
 
 namespace line_drawing {
 namespace {

@@ -69,7 +69,7 @@ struct DrawnLine {
     LineClass line_class;
     bool closed;  ///< ends with a copy of its first point
     std::vector<DrawnPoint> points;
-    double jump = 0;  ///< of contours: largest depth from them to the surface behind, mm
+    double jump = 0;  ///< of contours: largest step in depth to the surface behind, mm
     laplacian_lines::LineKind kind = laplacian_lines::LineKind::Laplacian;  ///< but of sections
 };
 
