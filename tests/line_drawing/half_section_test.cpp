@@ -53,6 +53,43 @@ TriangleMesh sherd_of(const TriangleMesh& mesh, double degrees) {
     return part;
 }
 
+/// With shoulders; each of few sides is two triangles, which lie to either side of its middle.
+TriangleMesh can(std::uint32_t sides) {
+    TriangleMesh mesh;
+    const std::vector<Eigen::Vector2d> profile = {{50, 0}, {66, 9}, {66, 114}, {54, 128}};
+    for (const Eigen::Vector2d& p : profile)
+        for (std::uint32_t i = 0; i < sides; ++i) {
+            const double angle = 2 * M_PI * i / sides;
+            mesh.positions.emplace_back(p.x() * std::cos(angle), p.y(), -p.x() * std::sin(angle));
+        }
+    const std::uint32_t last = 3 * sides;
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const std::uint32_t next = (i + 1) % sides;
+        for (std::uint32_t ring = 0; ring < last; ring += sides) {
+            const std::uint32_t a = ring + i, b = ring + next, c = b + sides, d = a + sides;
+            if (2 * i < sides) {
+                mesh.triangles.push_back({a, b, c});
+                mesh.triangles.push_back({a, c, d});
+            } else {
+                mesh.triangles.push_back({a, b, d});
+                mesh.triangles.push_back({b, c, d});
+            }
+        }
+        if (i == 0 || next == 0) continue;
+        mesh.triangles.push_back({0, next, i});
+        mesh.triangles.push_back({last, last + i, last + next});
+    }
+    return mesh;
+}
+
+TEST(HalfSection, IsUprightWhateverItsTriangles) {
+    for (const std::uint32_t sides : {8u, 13u, 24u, 30u}) {
+        const Sheet sheet = sheet_helpers::sheet_of(can(sides), vessel_options());
+        EXPECT_EQ(sheet.remarks.at(0).find("Vessel: rim 100 %, axis off by 0.0"), 0u)
+            << sides << ' ' << sheet.remarks[0];
+    }
+}
+
 TEST(HalfSection, IsRefusedOfWhatIsNoVessel) {
     const auto draw = [](const TriangleMesh& mesh) {
         return sheet_helpers::sheet_of(mesh, vessel_options());
@@ -60,6 +97,13 @@ TEST(HalfSection, IsRefusedOfWhatIsNoVessel) {
     EXPECT_THROW(draw(sheet_helpers::cube_of100()), laplacian_lines::Error);
     EXPECT_THROW(draw(turned_aside(small_vessel(), 20)), laplacian_lines::Error);
     EXPECT_THROW(draw(sherd_of(small_vessel(), 60)), laplacian_lines::Error);
+    try {
+        draw(turned_aside(small_vessel(), 90));
+        ADD_FAILURE();
+    } catch (const laplacian_lines::Error& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "The vessel stands along z: choose this axis to point up.");
+    }
     const Sheet sheet = sheet_helpers::sheet_of(sherd_of(small_vessel(), 270), vessel_options());
     ASSERT_EQ(sheet.remarks.size(), 1);
     EXPECT_EQ(sheet.remarks[0].find("Vessel: rim 7"), 0u) << sheet.remarks[0];

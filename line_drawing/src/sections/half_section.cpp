@@ -26,9 +26,10 @@ constexpr int kRounds = 30, kRoundsInSpace = 10;
 constexpr std::size_t kMostInSpace = 50000;  // triangles; more do not change the axis
 constexpr double kLeastMiss = 1e-3;          // of the size: smaller distances weigh the same
 constexpr double kNearMiss = 0.25;  // of the radius: normals that meet the axis; 15 degrees
+constexpr double kOtherAxis = 60;   // degrees: another axis of the mesh is nearer
 constexpr double kRimShare = 0.1;   // of the height
 constexpr int kDirections = 72;     // around the axis
-constexpr int kPartsOfSide = 8;
+constexpr int kPartsOfSide = 16;
 constexpr double kTurn = 6.283185307179586;
 
 /// Along the axis: a triangle's centre, and its normal turned by 90 degrees, as long as the part of
@@ -83,7 +84,8 @@ double share_that_meets(const std::vector<Facet>& facets, const Vector2d& axis) 
 }
 
 /// The line nearest to all normals, in any direction: a normal n at p meets the line of direction d
-/// and moment m if d · (p × n) + m · n = 0. Returns d.
+/// and moment m if d · (p × n) + m · n = 0. Returns d. Of the middles of sides, not of triangles:
+/// two triangles of a flat face lie to either side of its middle, one above the other.
 Vector3d direction_of_axis(const TriangleMesh& mesh, const Vector3d& middle, double size) {
     using Matrix6 = Eigen::Matrix<double, 6, 6>;
     using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -97,11 +99,13 @@ Vector3d direction_of_axis(const TriangleMesh& mesh, const Vector3d& middle, dou
                            &c = mesh.positions[t[2]];
             const Vector3d area = (b - a).cross(c - a), normal = area.stableNormalized();
             if (!area.allFinite() || normal.isZero()) continue;
-            Vector6 row;
-            row << ((a + b + c) / 3 - middle).cross(normal) / size, normal;
-            const double miss = std::abs(row.dot(line));
-            sum +=
-                area.norm() / (round == 0 ? 1 : std::max(miss, kLeastMiss)) * row * row.transpose();
+            for (const Vector3d& side : {Vector3d(a + b), Vector3d(b + c), Vector3d(c + a)}) {
+                Vector6 row;
+                row << (side / 2 - middle).cross(normal) / size, normal;
+                const double miss = std::abs(row.dot(line));
+                sum += area.norm() / (round == 0 ? 1 : std::max(miss, kLeastMiss)) * row *
+                       row.transpose();
+            }
         }
         const Eigen::Matrix3d of_moments = sum.bottomRightCorner<3, 3>(),
                               mixed = sum.topRightCorner<3, 3>();
@@ -136,26 +140,56 @@ double share_of_rim(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, in
     return double(std::count(is_there.begin(), is_there.end(), true)) / kDirections;
 }
 
+int axis_along(const Vector3d& direction) {
+    int axis = 0;
+    direction.cwiseAbs().maxCoeff(&axis);
+    return axis;
+}
+
+/// An axis along one of the mesh, seen along it.
+struct SeenAxis {
+    Vector2d point;
+    double round;  // as of VesselAxis
+};
+/// Through the place that normals meet, or else the middle of the bounding box.
+SeenAxis seen_axis(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, int up) {
+    const int x = (up + 1) % 3, y = (up + 2) % 3;
+    const std::vector<Facet> facets = facets_of(mesh, up);
+    const Vector2d middle(box.center()[x], box.center()[y]),
+        found = meeting_point(facets, middle, box.sizes().maxCoeff());
+    const bool is_inside = found.x() > box.min()[x] && found.x() < box.max()[x] &&
+                           found.y() > box.min()[y] && found.y() < box.max()[y];
+    const Vector2d& point = is_inside ? found : middle;
+    return {point, share_that_meets(facets, point)};
+}
+
+/// The axis of the mesh about which most is round, if it is not `up`, about which `round` is.
+std::optional<int> rounder_axis(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, int up,
+                                double round) {
+    std::optional<int> rounder;
+    for (const int axis : {(up + 1) % 3, (up + 2) % 3})
+        if (const double own = seen_axis(mesh, box, axis).round; own > round)
+            rounder = axis, round = own;
+    return rounder;
+}
+
 /// The axis of revolution of a vessel along the mesh's axis `up`: the normals of a surface of
-/// revolution meet its axis. Handles and spouts count little. If normals do not decide, through the
-/// centre of the bounding box. `looks_up`: upright along `up`, or upside down. By the linear
-/// complex of normals, H. Pottmann, T. Randrup, "Rotational and helical surface approximation for
-/// reverse engineering", Computing 60 (1998), with iterated weights.
+/// revolution meet its axis. Handles and spouts count little. `looks_up`: upright along `up`, or
+/// upside down. By the linear complex of normals, H. Pottmann, T. Randrup, "Rotational and helical
+/// surface approximation for reverse engineering", Computing 60 (1998), with iterated weights.
 VesselAxis find_axis(const TriangleMesh& mesh, int up, bool looks_up) {
     const int x = (up + 1) % 3, y = (up + 2) % 3;
     const Eigen::AlignedBox3d box = bounds_of(mesh);
-    VesselAxis axis{box.center()};
-    Vector3d& point = axis.point;
-    const std::vector<Facet> facets = facets_of(mesh, up);
-    const Vector2d found = meeting_point(facets, {point[x], point[y]}, box.sizes().maxCoeff());
-    const bool is_inside = found.x() > box.min()[x] && found.x() < box.max()[x] &&
-                           found.y() > box.min()[y] && found.y() < box.max()[y];
-    if (is_inside) point[x] = found.x(), point[y] = found.y();
-    point[up] = 0;
-    const Vector2d seen(point[x], point[y]);
-    axis.round = share_that_meets(facets, seen);
+    const auto [seen, round] = seen_axis(mesh, box, up);
+    VesselAxis axis;
+    axis.round = round;
+    axis.point[x] = seen.x(), axis.point[y] = seen.y();
     const Vector3d own = direction_of_axis(mesh, box.center(), box.sizes().maxCoeff());
     axis.lean = std::acos(std::min(1.0, std::abs(own[up]))) * 360 / kTurn;
+    if (axis.lean > kOtherAxis) {
+        axis.other = rounder_axis(mesh, box, up, axis.round);
+        if (!axis.other) axis.lean.reset();
+    }
     axis.rim = share_of_rim(mesh, box, up, looks_up, seen);
     return axis;
 }
@@ -169,12 +203,6 @@ constexpr double kLeastRound = 0.4, kLeastRim = 0.5, kMostLean = 5;
 
 std::string percent(double share) {
     return in_digits(std::floor(100 * share + 1e-9)) + " %";
-}
-
-int axis_along(const Vector3d& direction) {
-    int axis = 0;
-    direction.cwiseAbs().maxCoeff(&axis);
-    return axis;
 }
 
 DrawnLine line_of(const Vector2d& begin, const Vector2d& end) {
@@ -211,16 +239,20 @@ void HalfSection::expect_vessel() const {
                " Vessel views take a vessel that stands upright, nearly whole. Fix that, or "
                "take other views and a section.");
     };
+    if (axis_.other)
+        refuse(std::string("The vessel stands along ") + "xyz"[*axis_.other] +
+               ": choose this axis to point up.");
     if (axis_.round < kLeastRound)
         say("Of what faces sideways, only " + percent(axis_.round) + " is round about one axis.");
     if (axis_.lean > kMostLean)
-        say("The vessel's axis leans by " + in_decimals(axis_.lean, 0) + " degrees.");
+        say("The vessel's axis leans by " + in_decimals(*axis_.lean, 0) + " degrees.");
     if (axis_.rim < kLeastRim)
         say("The rim goes only " + percent(axis_.rim) + " of the way around the axis.");
 }
 
 std::string HalfSection::words() const {
-    return "rim " + percent(axis_.rim) + ", axis off by " + in_decimals(axis_.lean, 1) + "°";
+    return "rim " + percent(axis_.rim) +
+           (axis_.lean ? ", axis off by " + in_decimals(*axis_.lean, 1) + "°" : "");
 }
 
 void HalfSection::draw(DrawnView& drawn, const std::vector<CuttableMesh>& all,

@@ -10,10 +10,14 @@ namespace line_drawing {
 
 /// A vessel's axis, and how certain it is.
 struct VesselAxis {
-    Eigen::Vector3d point;  ///< on the axis, mesh coordinates; its coordinate along the axis is 0
-    double round = 0;       ///< share of the sideways area whose normals about meet the axis
-    double lean = 0;        ///< angle of the vessel's own axis to the mesh's, degrees
-    double rim = 0;         ///< share of the directions with surface in the upper tenth
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< on the axis, mesh coordinates; its
+                                                      ///< coordinate along the axis is 0
+    double round = 0;  ///< share of the sideways area whose normals about meet the axis
+    /// Angle of the vessel's own axis to the mesh's, degrees; none if it is not told from others,
+    /// as of flutes.
+    std::optional<double> lean;
+    std::optional<int> other;  ///< the axis of the mesh along which the vessel stands, if not this
+    double rim = 0;            ///< share of the directions with surface in the upper tenth
 };
 
 /// Planes through the axis of a vessel.
