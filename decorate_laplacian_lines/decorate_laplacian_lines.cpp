@@ -324,13 +324,14 @@ std::optional<PrintedView> DecorateLaplacianLines::printed_view(const MeshModel&
 Print DecorateLaplacianLines::request_print(const MeshModel& mesh,
                                             const DecorationParameters& chosen,
                                             const LayerInView& layer, int tiles) {
+    const bool is_snapshot = snapshot_dialog_.take_accepted() || tiles > 1;
     const auto printed = printed_view(mesh, chosen, layer, tiles);
     if (!printed) {
         prints_.forget(layer.view);
         return {};
     }
-    const bool waits = snapshot_dialog_.has_closed() || tiles > 1 ||
-                       (layer.widget && layer.widget->property(waits_property).toBool());
+    const bool waits =
+        is_snapshot || (layer.widget && layer.widget->property(waits_property).toBool());
     Print print = prints_.request(layer.view, layer.widget, *printed, waits);
     if (!print.missing_reason.isEmpty())
         say(QString("%1: %2: %3").arg(kTitle, mesh.label(), print.missing_reason));

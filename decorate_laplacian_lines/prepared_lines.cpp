@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QGuiApplication>
 #include <new>
+#include <utility>
 
 #include "laplacian_lines/field_columns.h"
 #include "laplacian_lines/line_visibility.h"
@@ -53,7 +54,7 @@ PreparedLinesPointer prepare_lines(const CMeshO& mesh, const QString& mesh_name,
         result->surface = line_renderer::make_surface(triangles, field);
         result->extractor = std::make_shared<laplacian_lines::LineExtractor>(triangles, field);
         result->has_derivatives = field.has_derivatives();
-        const bool is_in_mesh = source.status == meshlab_host::FieldStatus::Current;
+        const bool is_in_mesh = meshlab_host::is_stored(mesh, triangles, source);
         if (!is_in_mesh && !result->has_derivatives) result->field = std::move(field);
         if (triangles.triangles.size() <= PrintedScene::most_triangles) {
             const double kernel = field.scale.kernel_size;
@@ -80,13 +81,13 @@ void add_derivatives(PreparedLines& lines, const CMeshO& mesh, const QString& me
     try {
         const WaitCursor wait_cursor;
         const TriangleMesh triangles = meshlab_host::to_drawn_mesh(mesh);
-        if (lines.field)
-            meshlab_host::ensure_derivatives(triangles, *lines.field);
+        std::optional<Field> field = std::exchange(lines.field, std::nullopt);
+        if (field)
+            meshlab_host::ensure_derivatives(triangles, *field);
         else
-            lines.field = meshlab_host::find_or_compute_field(
+            field = meshlab_host::find_or_compute_field(
                 mesh, triangles, mesh_name, meshlab_host::with_derivatives(source), say);
-        lines.extractor->add_derivatives(triangles, *lines.field);
-        lines.field.reset();
+        lines.extractor->add_derivatives(triangles, *field);
         lines.has_derivatives = true;
         lines.missing_reason.clear();
         lines.bytes = bytes_of(lines);

@@ -27,7 +27,7 @@ struct PreparedLines {
     QString missing_reason;                       ///< why they could not be computed
     std::optional<laplacian_lines::Field> field;  ///< to compute them from, if it was computed
     std::shared_ptr<PrintableMesh> printable;     ///< null if the mesh is too large
-    std::shared_ptr<PrintedScene> scene;          ///< the last one in which it comes first
+    std::shared_ptr<PrintedScene> scene;          ///< the last one whose first object it is
     double preparation = 0;                       ///< time it took, milliseconds
     std::optional<double> first_redraw;           ///< the plugin's time of it, milliseconds
 };
@@ -35,13 +35,13 @@ using PreparedLinesPointer = std::shared_ptr<PreparedLines>;
 
 /// From the mesh's attributes if current, else by computing the field with the defaults, which
 /// takes seconds for a million triangles and is logged by `say`. Does not change the mesh. Throws
-/// only std::bad_alloc, at the very end.
+/// only std::bad_alloc, if not even the message fits.
 PreparedLinesPointer prepare_lines(const CMeshO& mesh, const QString& mesh_name,
                                    const meshlab_host::FieldSource& source,
                                    const std::function<void(const QString&)>& say);
 
 /// Adds derivatives, or sets `missing_reason` and leaves the lines alone. Throws only
-/// std::bad_alloc, at the very end.
+/// std::bad_alloc, if not even the message fits.
 void add_derivatives(PreparedLines& lines, const CMeshO& mesh, const QString& mesh_name,
                      const meshlab_host::FieldSource& source,
                      const std::function<void(const QString&)>& say);

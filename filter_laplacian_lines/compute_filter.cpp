@@ -78,9 +78,9 @@ QString dropped_line(const MeshReport& report) {
 
 QString welded_line(const MeshReport& report) {
     return report.welded_vertices
-               ? "Cuts and cracks closed: " + counted(report.welded_vertices,
-                                                      "vertex treated as one with another",
-                                                      "vertices treated as one with others")
+               ? "Cuts, cracks and sides without length closed: " +
+                     counted(report.welded_vertices, "vertex treated as one with another",
+                             "vertices treated as one with others")
                : QString();
 }
 

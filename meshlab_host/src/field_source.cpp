@@ -29,7 +29,7 @@ QString automatic_steps_of(const Field& field, std::size_t faces) {
     if (field.report.triangles != faces)
         steps += QString(", for %1 triangles instead of %2").arg(field.report.triangles).arg(faces);
     if (field.report.welded_vertices)
-        steps += QString(", %1 duplicated vertices welded where they cut the surface open")
+        steps += QString(", %1 vertices welded at cuts, cracks and sides without length")
                      .arg(field.report.welded_vertices);
     if (field.report.roughness > 0)
         steps += QString(", roughness %1: normals smoothed by %2 % of the diagonal")
@@ -78,13 +78,19 @@ FieldSource with_derivatives(FieldSource source) {
     return source;
 }
 
+bool is_stored(const CMeshO& mesh, const laplacian_lines::TriangleMesh& triangles,
+               const FieldSource& source) {
+    // undone and refined again, a subdivided mesh may have as many triangles as before
+    return source.status == FieldStatus::Current && triangles.known_edge == 0 &&
+           triangles.triangles.size() == std::size_t(mesh.fn);
+}
+
 Field find_or_compute_field(const CMeshO& mesh, const laplacian_lines::TriangleMesh& triangles,
                             const QString& mesh_name, const FieldSource& source,
                             const std::function<void(const QString&)>& say,
                             const laplacian_lines::Progress& progress) {
     const auto faces = std::size_t(mesh.fn);  // the mesh may go while its field is computed
-    const bool is_given = triangles.triangles.size() == faces;
-    if (source.status == FieldStatus::Current && is_given)
+    if (is_stored(mesh, triangles, source))
         if (std::optional<Field> field = read_field(mesh, source.key.stamp)) {
             if (source.options.curvature_derivatives)
                 ensure_derivatives(triangles, *field, progress);

@@ -2,6 +2,7 @@
 #include "meshlab_host/snapshot_dialog.h"
 
 #include <QCoreApplication>
+#include <QDialog>
 #include <QEvent>
 
 namespace meshlab_host {
@@ -11,7 +12,9 @@ SnapshotDialog::SnapshotDialog() {
 }
 
 bool SnapshotDialog::eventFilter(QObject* receiver, QEvent* event) {
-    has_closed_ |= event->type() == QEvent::Hide && receiver->inherits("SaveSnapshotDialog");
+    if (event->type() == QEvent::Show && receiver->inherits("SaveSnapshotDialog"))
+        connect(static_cast<QDialog*>(receiver), &QDialog::accepted, this,
+                [this] { is_accepted_ = true; });
     return QObject::eventFilter(receiver, event);
 }
 

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <new>
 #include <shared_mutex>
+#include <system_error>
 #include <thread>
 
 #include "drawings.h"
@@ -37,7 +38,8 @@ double free_memory() {
 
 /// A mesh of the collection.
 struct Item {
-    std::string mesh, name;  ///< their files, without folder and ending of the drawing's
+    std::string mesh;  ///< its file
+    std::string name;  ///< of its drawing's file, without folder and extension
     std::optional<line_drawing::SourceMesh> source = {};  ///< if it was drawn
     Sheet contact_view = {};
 };
@@ -97,12 +99,17 @@ public:
 
     /// Whether all were drawn.
     bool draw() {
+        const auto draw_next = [this] {
+            for (std::size_t k; (k = next_++) < items_.size();)
+                draw_catching_all(items_[k]);
+        };
         std::vector<std::thread> threads;
-        for (int i = 0; i < thread_count_; ++i)
-            threads.emplace_back([this] {
-                for (std::size_t k; (k = next_++) < items_.size();)
-                    draw_catching_all(items_[k]);
-            });
+        try {
+            for (int i = 1; i < thread_count_; ++i)
+                threads.emplace_back(draw_next);
+        } catch (const std::system_error&) {  // those that started take all
+        }
+        draw_next();
         for (std::thread& thread : threads)
             thread.join();
         write_contact_sheet();

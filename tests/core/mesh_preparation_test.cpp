@@ -200,13 +200,14 @@ TEST(Stitching, PassesOverVerticesThatAreNotNumbers) {
     EXPECT_EQ(welded(mesh), 0u);
 }
 
-/// As programs write that have a mesh selected twice, with shared vertices or as a soup; in open
-/// meshes also with vertices of their own.
+/// As programs write that have a mesh selected twice, or give faces two sides, with shared vertices
+/// or as a soup; in open meshes also with vertices of their own.
 TEST(Stitching, TakesDoubledMeshesOnce) {
     const TriangleMesh mesh = mesh_named("torus_jittered").mesh;
-    TriangleMesh twice = mesh;
-    twice.triangles.insert(twice.triangles.end(), mesh.triangles.begin(), mesh.triangles.end());
-    for (const TriangleMesh& doubled : {twice, cut_apart(twice)}) {
+    TriangleMesh twice = mesh, two_sided = mesh;
+    append(twice, mesh);
+    append(two_sided, inside_out(mesh));
+    for (const TriangleMesh& doubled : {twice, cut_apart(twice), two_sided, cut_apart(two_sided)}) {
         EXPECT_EQ(conforming_triangles(doubled).size(), mesh.triangles.size());
         EXPECT_EQ(precompute(doubled).report.border_share, 0);
     }

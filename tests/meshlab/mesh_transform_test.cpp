@@ -11,6 +11,7 @@
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/precompute.h"
 #include "meshlab_host/field_attributes.h"
+#include "meshlab_host/field_source.h"
 #include "meshlab_host/mesh_conversion.h"
 #include "meshlab_host/mesh_transform.h"
 
@@ -118,6 +119,23 @@ TEST(WorldLayers, AreMovedWithTheirFields) {
     EXPECT_LT(difference(there.mesh.positions, expected.mesh.positions), 1e-5);
     EXPECT_LT(difference(there.field->normals, expected.field->normals), 1e-5);
     EXPECT_LT(difference(there.field->laplacian_normals, expected.field->laplacian_normals), 1e-5);
+}
+
+/// Undone and cut in four again, it has as many triangles as before, with other vertices.
+TEST(FieldSource, ASubdividedMeshIsDrawnWithAFieldOfItsOwn) {
+    MeshDocument document;
+    CMeshO& mesh =
+        add_layer(document, "sphere", test_meshes::subdivided(test_meshes::bumpy_sphere(6).mesh));
+    const laplacian_lines::PrecomputeOptions options;
+    meshlab_host::write_field(
+        mesh, laplacian_lines::precompute(meshlab_host::to_triangle_mesh(mesh), options), options,
+        meshlab_host::geometry_stamp(mesh));
+    const TriangleMesh drawn = meshlab_host::to_drawn_mesh(mesh);
+    ASSERT_EQ(drawn.triangles.size(), std::size_t(mesh.fn));
+    ASSERT_GT(drawn.positions.size(), std::size_t(mesh.vn));
+    const Field field = meshlab_host::find_or_compute_field(
+        mesh, drawn, "sphere", meshlab_host::field_source(mesh), [](const QString&) {});
+    EXPECT_EQ(field.normals.size(), drawn.positions.size());
 }
 
 TEST(MeshTransform, FacesKeepTheirOutside) {

@@ -38,16 +38,18 @@ struct PrecomputeOptions {
     double accuracy = 1e-3;
     NormalSmoothing normal_smoothing = NormalSmoothing::Gaussian;
     /// Standard deviation of the smoothing, in ē. 0: automatic, none on CAD meshes with large
-    /// triangles; else what noise asks for, see automatic_normal_sigma(), or up to 0.8 where
-    /// triangles are finer than the kernel. None at all: NormalSmoothing::None.
+    /// triangles; else what noise asks for, see automatic_normal_sigma(), or up to 0.8 of
+    /// their own edges where triangles are finer than the kernel. None at all:
+    /// NormalSmoothing::None.
     double normal_sigma = 0;
     GradientEstimator gradient_estimator = GradientEstimator::TriangleFit;
     double gradient_radius = 3.0;  ///< ball of the least squares fit, in mean edges
     bool correct_borders = true;   ///< make up for the half of the kernel a border lacks
     /// Weight sources q by (1 + c)²(2 − c)/4, c = n(p)·n(q): 1 for equal normals, 0 for opposite.
     bool skip_opposite_sheet = true;
-    /// Merge vertices of equal coordinates where they cut the surface open: two borders, and no
-    /// third one, run along each other in opposite directions.
+    /// Merge vertices at one place, or up to 5e-5 D apart, where they cut the surface open: two
+    /// borders, and no third one, run along each other in opposite directions. Also the ends of
+    /// sides shorter than 1e-6 D and a thousandth of the mean edge.
     bool weld_duplicates = true;
     /// Also compute Field::curvature_derivatives and smooth_curvatures, for kinds that need them.
     bool curvature_derivatives = false;

@@ -39,8 +39,9 @@ struct MeshReport {
     std::size_t triangles = 0;              ///< all triangles of the input
     std::size_t non_finite_vertices = 0;    ///< a coordinate is NaN or infinite
     std::size_t unreferenced_vertices = 0;  ///< finite, but in no usable triangle
-    std::size_t degenerate_triangles = 0;   ///< zero area, repeated or non-finite corners
-    std::size_t welded_vertices = 0;        ///< merged with another one at a cut or crack
+    std::size_t degenerate_triangles = 0;   ///< no area, repeated or non-finite corners
+    /// Merged with another one at a cut or crack, or at the end of a side without length.
+    std::size_t welded_vertices = 0;
     /// Noise at the scale of the triangles, or terraces of segmented volumes, dimensionless. Clean
     /// meshes have 0, noise of a fifth of the edges 1, terraces 1.5 to 3.
     double roughness = 0;

@@ -59,10 +59,12 @@ bool is_of_curves(const TriangleMesh& mesh, const PreparedMesh& prepared) {
 class Refining {
 public:
     /// `normals` are those of the prepared mesh.
-    Refining(TriangleMesh mesh, const PreparedMesh& prepared, const std::vector<Vector3d>& normals)
+    Refining(TriangleMesh mesh, const PreparedMesh& prepared, const std::vector<Vector3d>& normals,
+             double roughness)
         : mesh_(std::move(mesh)), place_of_(prepared.representative) {
         extend_places();
         mesh_.known_edge = prepared.mean_edge * prepared.diagonal;
+        mesh_.known_roughness = roughness;
         mesh_.known_vertices = mesh_.positions.size();
         mesh_.normals.assign(mesh_.positions.size(), Vector3d::Zero());
         for (std::size_t v = 0; v < normals.size(); ++v)
@@ -159,8 +161,9 @@ void cut_finer(TriangleMesh& mesh, const StageProgress& stage) try {
     const SpatialTree tree = sort_in_space(prepared);
     const VertexRanges ranges(prepared);
     const auto normals = vertex_normals(prepared, ranges, stage.part(0.2, 0.3));
-    mesh.known_roughness = measure_roughness(prepared, ranges, tree, normals, stage.part(0.3, 0.5));
-    Refining refining(mesh, prepared, normals);
+    const double roughness =
+        measure_roughness(prepared, ranges, tree, normals, stage.part(0.3, 0.5));
+    Refining refining(mesh, prepared, normals, roughness);
     for (int cuts = 0; cuts < kMostCuts && is_coarse(refining.mesh()); ++cuts)
         refining.cut_in_four();
     mesh = refining.take_mesh();

@@ -262,22 +262,35 @@ bool are_on_each_other(const std::vector<Vector3d>& positions,
     return across(a).dot(across(b)) > kLeastCosine;
 }
 
-// Share of triangles from which on copies are those of bodies that touch, not of a doubled mesh.
-constexpr double kLeastSingle = 0.6;
+// Share of triangles from which on copies are those of bodies that touch, not of a doubled mesh;
+// and likewise of copies that face the other way, which cells of a volume have as well.
+constexpr double kLeastSingle = 0.6, kLeastOneSided = 0.51;
 
-/// If most triangles are there twice: drops those at the places of an earlier one that face the
-/// same way. `place_of`: for each vertex one at its place.
+/// Drops triangles whose key equals that of an earlier one, if they are so many that less than
+/// `least` of all is left. `place_of`: for each vertex one at its place.
+template <class Key>
+void drop_equal(const std::vector<std::uint32_t>& place_of, double least, Key key,
+                std::vector<Triangle>& triangles) {
+    const std::vector<std::uint32_t> first =
+        first_equal_triangles(with_places(triangles, place_of), key);
+    std::vector<Triangle> rest;
+    for (std::uint32_t t = 0; t < first.size(); ++t)
+        if (first[t] == t) rest.push_back(triangles[t]);
+    if (double(rest.size()) < least * double(triangles.size())) triangles.swap(rest);
+}
+
+/// If most triangles are there twice, or all on both sides, one of each stays.
 void drop_copies(const std::vector<std::uint32_t>& place_of, std::vector<Triangle>& triangles) {
     const auto turned = [](Triangle t) {
         std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
         return t;
     };
-    const std::vector<std::uint32_t> first =
-        first_equal_triangles(with_places(triangles, place_of), turned);
-    std::vector<Triangle> rest;
-    for (std::uint32_t t = 0; t < first.size(); ++t)
-        if (first[t] == t) rest.push_back(triangles[t]);
-    if (double(rest.size()) < kLeastSingle * double(triangles.size())) triangles.swap(rest);
+    const auto of_both_sides = [](Triangle t) {
+        std::sort(t.begin(), t.end());
+        return t;
+    };
+    drop_equal(place_of, kLeastSingle, turned, triangles);
+    drop_equal(place_of, kLeastOneSided, of_both_sides, triangles);
 }
 
 }  // namespace

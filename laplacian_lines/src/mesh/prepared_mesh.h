@@ -27,7 +27,7 @@ struct PreparedMesh {
     std::vector<Triangle> triangles;             ///< indices into positions
     std::vector<double> masses;                  ///< [N], a third of the incident area; once sorted
     std::vector<std::uint32_t> original_vertex;  ///< [N] -> index in the input
-    /// The representative of each vertex of the input, see stitch_cuts(); empty: itself.
+    /// Of each vertex of the input, that which it is welded to; empty: itself.
     std::vector<std::uint32_t> representative;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< centre of the bounding box, input units
     double diagonal = 0;                               ///< D, input units

@@ -45,8 +45,8 @@ const std::vector<OptionRow<PrecomputeOptions>>& precompute_option_table() {
         boolean<&O::weld_duplicates>(
             "weld_duplicates", "Weld Duplicated Vertices",
             "Vertices at one place count as one where they cut the surface open, as in texture "
-            "seams; also across cracks of up to .005 % of the diagonal. The mesh is not changed; "
-            "holes stay open."),
+            "seams; also across cracks of up to .005 % of the diagonal, and at sides that nobody "
+            "sees. The mesh is not changed; holes stay open."),
         boolean<&O::curvature_derivatives>(
             "curvature_derivatives", "Curvature Derivatives",
             "Compute smoothed curvatures and their derivatives as well, for programs that read "

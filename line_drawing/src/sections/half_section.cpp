@@ -27,8 +27,11 @@ constexpr std::size_t kMostInSpace = 50000;  // triangles; more do not change th
 constexpr double kLeastMiss = 1e-3;          // of the size: smaller distances weigh the same
 constexpr double kNearMiss = 0.25;  // of the radius: normals that meet the axis; 15 degrees
 constexpr double kOtherAxis = 60;   // degrees: another axis of the mesh is nearer
-constexpr double kRimShare = 0.1;   // of the height
-constexpr int kDirections = 72;     // around the axis
+// For VesselAxis. Of a cube .25 is round; a pot of 200 mm that leans by 5 degrees has its section 9
+// mm off its axis at both ends.
+constexpr double kLeastRound = 0.4, kLeastRim = 0.5, kMostLean = 5;
+constexpr double kRimShare = 0.1;  // of the height
+constexpr int kDirections = 72;    // around the axis
 constexpr int kPartsOfSide = 16;
 constexpr double kTurn = 6.283185307179586;
 
@@ -163,10 +166,12 @@ SeenAxis seen_axis(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, int
     return {point, share_that_meets(facets, point)};
 }
 
-/// The axis of the mesh about which most is round, if it is not `up`, about which `round` is.
+/// The axis of the mesh about which most is round, as of a vessel, if it is not `up`, about which
+/// `round` is.
 std::optional<int> rounder_axis(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, int up,
                                 double round) {
     std::optional<int> rounder;
+    round = std::max(round, kLeastRound);
     for (const int axis : {(up + 1) % 3, (up + 2) % 3})
         if (const double own = seen_axis(mesh, box, axis).round; own > round)
             rounder = axis, round = own;
@@ -188,7 +193,7 @@ VesselAxis find_axis(const TriangleMesh& mesh, int up, bool looks_up) {
     axis.lean = std::acos(std::min(1.0, std::abs(own[up]))) * 360 / kTurn;
     if (axis.lean > kOtherAxis) {
         axis.other = rounder_axis(mesh, box, up, axis.round);
-        if (!axis.other) axis.lean.reset();
+        if (!axis.other) axis.lean.reset();  // upright is roundest: flutes misled the line in space
     }
     axis.rim = share_of_rim(mesh, box, up, looks_up, seen);
     return axis;
@@ -196,10 +201,6 @@ VesselAxis find_axis(const TriangleMesh& mesh, int up, bool looks_up) {
 
 constexpr double kLevelShare = 0.003;  // of the height: tolerance of the level of rim or base
 constexpr double kLeastSpan = 0.1;     // of the height: a round base is not a line
-
-// For VesselAxis. Of a cube .25 is round; a pot of 200 mm that leans by 5 degrees has its section 9
-// mm off its axis at both ends.
-constexpr double kLeastRound = 0.4, kLeastRim = 0.5, kMostLean = 5;
 
 std::string percent(double share) {
     return in_digits(std::floor(100 * share + 1e-9)) + " %";

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "laplacian_lines/triangle_mesh.h"
 #include "planes/clipping.h"
 #include "planes/cutting.h"

@@ -204,7 +204,8 @@ std::string name_of(const ViewFrame& frame, bool sheet_has_scale) {
     return frame.eye && sheet_has_scale ? frame.name + " (" + kNoScale + ')' : frame.name;
 }
 
-double least_strip_width(const std::vector<DrawnView>& views) {
+double least_strip_width(const std::vector<DrawnView>& views, const SheetOptions& options) {
+    if (!options.has_annotations) return 0;
     const double symbol = shows_sides(views) ? kSymbolWidth + kStripGap : 0;
     return kShortNote + kStripGap + symbol + kLongestBar;
 }

@@ -14,8 +14,9 @@ bool have_names(const std::vector<DrawnView>& views, const SheetOptions& options
 /// The name below a view. `sheet_has_scale`: a view in perspective is said to have none.
 std::string name_of(const ViewFrame& frame, bool sheet_has_scale);
 
-/// Width in mm of a strip with the longest scale bar, the projection symbol and a short note.
-double least_strip_width(const std::vector<DrawnView>& views);
+/// Width in mm of a strip with the longest scale bar, the projection symbol and a short note; 0
+/// without annotations.
+double least_strip_width(const std::vector<DrawnView>& views, const SheetOptions& options);
 
 /// Draws names of views, scale bar, projection symbol, title and notes. `kernel`: √h, mm on paper,
 /// for the notes, or 0. Appends remarks if texts are too long.

@@ -64,7 +64,7 @@ public:
     Layout(const std::vector<DrawnView>& views, const SheetOptions& options,
            const CellChoice& choice)
         : name_row_(have_names(views, options) ? kViewNameRow : 0),
-          strip_width_(least_strip_width(views)),
+          strip_width_(least_strip_width(views, options)),
           cells_(cells_of(views, options, choice)) {
         for (std::size_t i = 0; i < views.size(); ++i) {
             const auto& box = views[i].bounds;

@@ -30,6 +30,10 @@ struct FieldSource {
 FieldSource field_source(const CMeshO& mesh);
 FieldSource with_derivatives(FieldSource source);
 
+/// Whether the mesh's attributes hold the field of `triangles`, its to_drawn_mesh().
+bool is_stored(const CMeshO& mesh, const laplacian_lines::TriangleMesh& triangles,
+               const FieldSource& source);
+
 /// Reads the field or computes it, which takes seconds for a million triangles and is logged by
 /// `say`. By live index. Does not change the mesh; `triangles` is its to_drawn_mesh().
 /// @throws laplacian_lines::Error, std::bad_alloc

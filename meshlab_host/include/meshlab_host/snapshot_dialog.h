@@ -6,20 +6,20 @@
 
 namespace meshlab_host {
 
-/// Watches MeshLab's snapshot dialog: the next redraw is that of a snapshot, which a snapshot of
-/// one tile does not show otherwise. GUI thread only.
+/// Watches MeshLab's snapshot dialog: the redraw after it was accepted is that of a snapshot, which
+/// one of one tile does not show otherwise. GUI thread only.
 class SnapshotDialog : public QObject {
 public:
     SnapshotDialog();
 
-    /// Whether it has closed since the last call.
-    bool has_closed() { return std::exchange(has_closed_, false); }
+    /// Whether it was accepted since the last call.
+    bool take_accepted() { return std::exchange(is_accepted_, false); }
 
 protected:
     bool eventFilter(QObject* receiver, QEvent* event) override;
 
 private:
-    bool has_closed_ = false;
+    bool is_accepted_ = false;
 };
 
 }  // namespace meshlab_host
