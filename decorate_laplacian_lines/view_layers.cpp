@@ -70,7 +70,7 @@ void ViewLayers::end_redraws() {
         Redraw& redraw = view.second;
         if (redraw.is_over) continue;
         redraw.is_over = true;
-        // else the layers hide each other, and none has covered lines
+        // by the depth buffer, layers hide each other whichever of them are known
         const bool matters = redraw.is_painted || !are_in_depth_buffer(redraw);
         const bool was_wrong = drop_unreached(redraw) || redraw.was_wrong;
         if (was_wrong && matters && redraw.widget) redraw.widget->update();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The plugin, with what each version of MeshLab asks of one.
 #include "filters.h"
 
 meshlab_host::FilterList make_filters() {

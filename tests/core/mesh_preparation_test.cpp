@@ -211,6 +211,12 @@ TEST(Stitching, TakesDoubledMeshesOnce) {
         EXPECT_EQ(conforming_triangles(doubled).size(), mesh.triangles.size());
         EXPECT_EQ(precompute(doubled).report.border_share, 0);
     }
+    TriangleMesh soup = cut_apart(mesh), both_sides = soup;
+    for (const Triangle& t : soup.triangles)
+        both_sides.triangles.push_back({t[0], t[2], t[1]});
+    const Field expected = precompute(soup), field = precompute(both_sides);
+    for (std::size_t v = 0; v < soup.positions.size(); ++v)
+        EXPECT_LT((field.normals[v] - expected.normals[v]).norm(), 1e-5f) << v;
     const TriangleMesh open = mesh_named("half_torus").mesh;
     EXPECT_EQ(welded(together(open, open)), open.positions.size());
     for (const Eigen::Vector3f& n : precompute(together(open, open)).normals)

@@ -337,6 +337,23 @@ bool is_closed(const std::vector<Triangle>& triangles) {
     return join_blocks(triangles.size(), std::uint64_t(0), of_block, std::plus<>()) == 0;
 }
 
+bool are_two_sided(const std::vector<Triangle>& triangles) {
+    const auto of_block = [&](std::size_t begin, std::size_t end) {
+        std::uint64_t sum = 0;
+        for (std::size_t t = begin; t < end; ++t) {
+            auto [a, b, c] = triangles[t];
+            const bool faces_back = (a > b) ^ (a > c) ^ (b > c);
+            Triangle sorted = triangles[t];
+            std::sort(sorted.begin(), sorted.end());
+            const std::uint64_t hash =
+                mix_hash(sorted[2], std::uint64_t(sorted[0]) << 32 | sorted[1]);
+            sum += faces_back ? -hash : hash;
+        }
+        return sum;
+    };
+    return join_blocks(triangles.size(), std::uint64_t(0), of_block, std::plus<>()) == 0;
+}
+
 std::vector<Edge> border_edges(const std::vector<Triangle>& triangles, std::size_t vertices) {
     const std::vector<std::uint32_t> open = sides_at_borders(triangles, triangles, vertices);
     const auto of = [&](std::uint32_t i) { return edge_of(triangles, open[i]); };

@@ -29,6 +29,10 @@ Precision precision_of(const std::vector<Eigen::Vector3d>& positions,
 /// Whether triangles pass each edge equally often in both directions, by sums of 64-bit hashes.
 bool is_closed(const std::vector<Triangle>& triangles);
 
+/// Whether each triangle is there as often facing one way as the other: then they are closed, but
+/// its two sides are of one surface.
+bool are_two_sided(const std::vector<Triangle>& triangles);
+
 /// Edges with one side.
 std::vector<Edge> border_edges(const std::vector<Triangle>& triangles, std::size_t vertices);
 

@@ -23,7 +23,7 @@ namespace {
 // rounding to floats twice, but at most so much of the mean edge, which is less than the bends of a
 // smooth grid.
 constexpr double kRounding = 5e-7, kMostOff = 1e-3;
-// Of the mean edge once undone, D: coarser triangles are the form's own.
+// D, of the mean edge once undone: coarser triangles are the form's own.
 constexpr double kLongestEdge = 0.025;
 
 using Positions = std::vector<Eigen::Vector3d>;

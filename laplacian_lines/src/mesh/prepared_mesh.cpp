@@ -282,7 +282,9 @@ PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, Facing facing
     prepared.triangles = usable_triangles(mesh.positions, mesh.triangles);
     expect_surface(prepared.triangles);
     prepared.report.degenerate_triangles = mesh.triangles.size() - prepared.triangles.size();
-    const bool may_be_doubled = prepared.triangles.size() > kMostPerVertex * mesh.positions.size();
+    const bool may_be_doubled =
+        prepared.triangles.size() > kMostPerVertex * mesh.positions.size() ||
+        are_two_sided(prepared.triangles);
     if (may_be_doubled || !is_closed(prepared.triangles)) {
         const std::vector<std::uint32_t> place_of = make_conforming(
             mesh.positions, nearness_of(mesh.positions, prepared.triangles), prepared.triangles);
