@@ -262,35 +262,26 @@ bool are_on_each_other(const std::vector<Vector3d>& positions,
     return across(a).dot(across(b)) > kLeastCosine;
 }
 
-// Share of triangles from which on copies are those of bodies that touch, not of a doubled mesh;
-// and likewise of copies that face the other way, which cells of a volume have as well.
-constexpr double kLeastSingle = 0.6, kLeastOneSided = 0.51;
+// Share of triangles from which on copies are those of bodies that touch, not of a doubled mesh.
+constexpr double kLeastSingle = 0.6;
 
-/// Drops triangles whose key equals that of an earlier one, if they are so many that less than
-/// `least` of all is left. `place_of`: for each vertex one at its place.
-template <class Key>
-void drop_equal(const std::vector<std::uint32_t>& place_of, double least, Key key,
-                std::vector<Triangle>& triangles) {
-    const std::vector<std::uint32_t> first =
-        first_equal_triangles(with_places(triangles, place_of), key);
+/// If most triangles are there twice, or all on both sides, one of each stays. `place_of`: for each
+/// vertex one at its place.
+void drop_copies(const std::vector<std::uint32_t>& place_of, std::vector<Triangle>& triangles) {
+    const std::vector<Triangle> at_places = with_places(triangles, place_of);
+    const bool have_two_sides = are_two_sided(at_places);
+    const auto key = [have_two_sides](Triangle t) {
+        if (have_two_sides)
+            std::sort(t.begin(), t.end());
+        else
+            std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+        return t;
+    };
+    const std::vector<std::uint32_t> first = first_equal_triangles(at_places, key);
     std::vector<Triangle> rest;
     for (std::uint32_t t = 0; t < first.size(); ++t)
         if (first[t] == t) rest.push_back(triangles[t]);
-    if (double(rest.size()) < least * double(triangles.size())) triangles.swap(rest);
-}
-
-/// If most triangles are there twice, or all on both sides, one of each stays.
-void drop_copies(const std::vector<std::uint32_t>& place_of, std::vector<Triangle>& triangles) {
-    const auto turned = [](Triangle t) {
-        std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-        return t;
-    };
-    const auto of_both_sides = [](Triangle t) {
-        std::sort(t.begin(), t.end());
-        return t;
-    };
-    drop_equal(place_of, kLeastSingle, turned, triangles);
-    drop_equal(place_of, kLeastOneSided, of_both_sides, triangles);
+    if (double(rest.size()) < kLeastSingle * double(triangles.size())) triangles.swap(rest);
 }
 
 }  // namespace

@@ -130,7 +130,8 @@ std::vector<std::uint32_t> ends_of_short_sides(const Positions& positions, doubl
                                                const std::vector<Triangle>& triangles) {
     const auto edges = collect<Edge>(3 * triangles.size(), [&](std::uint32_t side, auto& found) {
         const Edge edge = edge_of(triangles, side);
-        if ((positions[edge[0]] - positions[edge[1]]).norm() <= most_length) found.push_back(edge);
+        if ((positions[edge[0]] - positions[edge[1]]).squaredNorm() <= most_length * most_length)
+            found.push_back(edge);
     });
     if (edges.empty()) return {};
     DisjointSets places(positions.size());

@@ -133,10 +133,11 @@ bool drop_lost_triangles(PreparedMesh& prepared) {
 /// there were any.
 bool weld_short_sides(const TriangleMesh& mesh, PreparedMesh& prepared) {
     const Positions& positions = prepared.positions;
-    const double most =
-        std::min(kShortOfDiagonal, kShortOfEdge * mean_edge(positions, prepared.triangles));
-    const std::vector<std::uint32_t> ends =
-        ends_of_short_sides(positions, most, prepared.triangles);
+    std::vector<std::uint32_t> ends =
+        ends_of_short_sides(positions, kShortOfDiagonal, prepared.triangles);
+    if (ends.empty()) return false;  // the usual case, without a mean
+    const double most = kShortOfEdge * mean_edge(positions, prepared.triangles);
+    if (most < kShortOfDiagonal) ends = ends_of_short_sides(positions, most, prepared.triangles);
     if (ends.empty()) return false;
     std::vector<std::uint32_t>& representative = prepared.representative;
     if (representative.empty()) {
