@@ -15,6 +15,10 @@ using laplacian_lines::TriangleMesh;
 
 namespace {
 
+// Mean edges. On noisy scans of 5,000 to 50,000 triangles the middle of an edge moves by up to .26,
+// and those of its halves once more.
+constexpr double kMostBehind = 0.35;
+
 struct Buffers {
     GLuint vertices = 0;
     GLuint triangles = 0;
@@ -38,6 +42,7 @@ const void* offset(std::size_t bytes) {
 
 SurfacePointer make_surface(const TriangleMesh& mesh, const Field& field) {
     auto surface = std::make_shared<Surface>();
+    surface->most_behind = kMostBehind * mesh.known_edge;
     surface->vertices.reserve(mesh.positions.size());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
         surface->vertices.push_back({mesh.positions[i].cast<float>(), field.normals.at(i)});

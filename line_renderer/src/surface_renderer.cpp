@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_renderer/surface_renderer.h"
 
+#include <algorithm>
+
 #include "gl_state.h"
 #include "line_stream.h"
 #include "per_share_group.h"
@@ -135,9 +137,11 @@ void SurfaceRenderer::paint(const SurfaceLayer& layer, SurfaceStyle style,
     glDisable(GL_BLEND);
     program.use();
     program.set("is_toon", style == SurfaceStyle::Toon);
-    const double diagonal = layer.diagonal * mean_scale(to_eye);
+    const SurfacePointer surface = layer.surface.lock();
+    const double least = std::max(kLeastMove * layer.diagonal, surface ? surface->most_behind : 0.);
     program.set("nearer",
-                Eigen::Vector2f(float(kLeastMove * diagonal), float(kGreatestMove * diagonal)));
+                Eigen::Vector2f(float(least * mean_scale(to_eye)),
+                                float(kGreatestMove * layer.diagonal * mean_scale(to_eye))));
     const bool is_needed = !depth.is_complete;
     glBindTexture(GL_TEXTURE_2D, is_needed ? depth.id : 0);
     program.set("surface_depth", 0);

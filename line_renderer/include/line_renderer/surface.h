@@ -21,6 +21,9 @@ struct SurfaceVertex {
 struct Surface {
     std::vector<SurfaceVertex> vertices;
     std::vector<laplacian_lines::Triangle> triangles;  ///< with finite corners only
+    /// How far curved faces of refined() meshes may be behind the flat ones that MeshLab draws,
+    /// mesh units; else 0.
+    double most_behind = 0;
 };
 using SurfacePointer = std::shared_ptr<const Surface>;
 
