@@ -90,6 +90,22 @@ TEST_F(SurfacePaintingTest, LeavesWhatIsNearer) {
     EXPECT_EQ(color_at(picture, 125, 60), kNothing);
 }
 
+/// Of a mesh that was refined: MeshLab draws its flat faces.
+TEST_F(SurfacePaintingTest, CurvedFacesCoverTheFlatOnesBeforeThem) {
+    canvas_.put_depth(0, 0, 50, Canvas::height, 0.05);
+    canvas_.put_depth(50, 0, 50, Canvas::height, 0.001);
+    Rectangles rectangles;
+    rectangles.add(0, 0, 160, 120, 0);
+    line_renderer::Surface curved = *rectangles.surface();
+    curved.most_behind = 0.002;
+    surface_ = std::make_shared<line_renderer::Surface>(curved);
+    renderer_.paint(layer_of(surface_), SurfaceStyle::Paper, Eigen::Matrix4d::Identity(),
+                    {0, {0, 0}, true}, buffers_);
+    const QImage picture = canvas_.picture();
+    EXPECT_EQ(color_at(picture, 25, 60), kNothing);
+    EXPECT_EQ(color_at(picture, 75, 60), kPaper);
+}
+
 /// Whichever is drawn last.
 TEST_F(SurfacePaintingTest, PaintsTheNearestFacesOfTheTexture) {
     Rectangles rectangles;

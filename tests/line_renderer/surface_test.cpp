@@ -25,6 +25,9 @@ TEST(Surface, HasTheTrianglesWhoseCornersAreFinite) {
     EXPECT_EQ(surface->vertices[2].normal, Eigen::Vector3f(0, 0, 2));
     ASSERT_EQ(surface->triangles.size(), 1u);
     EXPECT_EQ(surface->triangles[0], (laplacian_lines::Triangle{0, 1, 2}));
+    EXPECT_EQ(surface->most_behind, 0);
+    mesh.known_edge = 2;
+    EXPECT_GT(line_renderer::make_surface(mesh, field)->most_behind, 0.5) << "it was refined";
 }
 
 }  // namespace
