@@ -204,17 +204,19 @@ TEST(Stitching, PassesOverVerticesThatAreNotNumbers) {
 /// or as a soup; in open meshes also with vertices of their own.
 TEST(Stitching, TakesDoubledMeshesOnce) {
     const TriangleMesh mesh = mesh_named("torus_jittered").mesh;
-    TriangleMesh twice = mesh, two_sided = mesh;
-    append(twice, mesh);
-    append(two_sided, inside_out(mesh));
-    for (const TriangleMesh& doubled : {twice, cut_apart(twice), two_sided, cut_apart(two_sided)}) {
-        EXPECT_EQ(conforming_triangles(doubled).size(), mesh.triangles.size());
-        EXPECT_EQ(precompute(doubled).report.border_share, 0);
+    const auto doubled = [](TriangleMesh one, const TriangleMesh& copy) {
+        one.triangles.insert(one.triangles.end(), copy.triangles.begin(), copy.triangles.end());
+        return one;
+    };
+    for (const TriangleMesh& copy : {mesh, inside_out(mesh)}) {
+        const TriangleMesh twice = doubled(mesh, copy);
+        for (const TriangleMesh& written : {twice, cut_apart(twice)}) {
+            EXPECT_EQ(conforming_triangles(written).size(), mesh.triangles.size());
+            EXPECT_EQ(precompute(written).report.border_share, 0);
+        }
     }
-    TriangleMesh soup = cut_apart(mesh), both_sides = soup;
-    for (const Triangle& t : soup.triangles)
-        both_sides.triangles.push_back({t[0], t[2], t[1]});
-    const Field expected = precompute(soup), field = precompute(both_sides);
+    const TriangleMesh soup = cut_apart(mesh);
+    const Field expected = precompute(soup), field = precompute(doubled(soup, inside_out(soup)));
     for (std::size_t v = 0; v < soup.positions.size(); ++v)
         EXPECT_LT((field.normals[v] - expected.normals[v]).norm(), 1e-5f) << v;
     const TriangleMesh open = mesh_named("half_torus").mesh;

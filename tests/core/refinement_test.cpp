@@ -212,8 +212,15 @@ TEST(Subdivisions, AreUndone) {
           test_meshes::with_noise(test_meshes::half_torus(60, 40).mesh, 0.1)})
         for (const int times : {1, 2}) {
             const TriangleMesh cut = rounded_to_floats(subdivided(rounded_to_floats(mesh), times));
-            const std::size_t count = refined(mesh).triangles.size();
-            EXPECT_EQ(refined(cut).triangles.size(), count);
+            const TriangleMesh undone = refined(cut), expected = refined(rounded_to_floats(mesh));
+            const std::size_t count = expected.triangles.size();
+            ASSERT_EQ(undone.triangles.size(), count);
+            for (std::size_t t = 0; t < count; ++t)
+                for (std::size_t k = 0; k < 3; ++k)
+                    EXPECT_LT((undone.positions[undone.triangles[t][k]] -
+                               expected.positions[expected.triangles[t][k]])
+                                  .norm(),
+                              1e-9);
             EXPECT_EQ(refined(shuffled(cut)).triangles.size(), count);
             EXPECT_EQ(refined(test_meshes::cut_apart(cut)).triangles.size(), count);
         }

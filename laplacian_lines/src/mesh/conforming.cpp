@@ -332,7 +332,7 @@ bool are_two_sided(const std::vector<Triangle>& triangles) {
     const auto of_block = [&](std::size_t begin, std::size_t end) {
         std::uint64_t sum = 0;
         for (std::size_t t = begin; t < end; ++t) {
-            auto [a, b, c] = triangles[t];
+            const auto [a, b, c] = triangles[t];
             const bool faces_back = (a > b) ^ (a > c) ^ (b > c);
             Triangle sorted = triangles[t];
             std::sort(sorted.begin(), sorted.end());

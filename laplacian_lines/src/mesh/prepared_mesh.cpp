@@ -80,6 +80,12 @@ void expect_surface(const std::vector<Triangle>& usable) {
                     "point cloud, reconstruct one first.");
 }
 
+std::vector<std::uint32_t> numbers_up_to(std::size_t count) {
+    std::vector<std::uint32_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), 0u);
+    return numbers;
+}
+
 /// Gives vertices that only copies of triangles used the representative of another at their place.
 void represent_copies(const TriangleMesh& mesh, const std::vector<std::uint32_t>& place_of,
                       PreparedMesh& prepared) {
@@ -92,10 +98,7 @@ void represent_copies(const TriangleMesh& mesh, const std::vector<std::uint32_t>
     for (const Triangle& t : mesh.triangles)
         for (const std::uint32_t v : t) {
             if (is_used[v] || used_at[place_of[v]] == kUnused) continue;
-            if (representative.empty()) {
-                representative.resize(place_of.size());
-                std::iota(representative.begin(), representative.end(), 0u);
-            }
+            if (representative.empty()) representative = numbers_up_to(place_of.size());
             representative[v] = representative[used_at[place_of[v]]];
         }
 }
@@ -139,19 +142,14 @@ bool weld_short_sides(const TriangleMesh& mesh, PreparedMesh& prepared) {
     const double most = kShortOfEdge * mean_edge(positions, prepared.triangles);
     if (most < kShortOfDiagonal) ends = ends_of_short_sides(positions, most, prepared.triangles);
     if (ends.empty()) return false;
-    std::vector<std::uint32_t>& representative = prepared.representative;
-    if (representative.empty()) {
-        representative.resize(mesh.positions.size());
-        std::iota(representative.begin(), representative.end(), 0u);
-    }
-    std::vector<std::uint32_t> place(representative.size());
-    std::iota(place.begin(), place.end(), 0u);
+    std::vector<std::uint32_t> place = numbers_up_to(mesh.positions.size());
     for (std::uint32_t v = 0; v < ends.size(); ++v) {
         place[prepared.original_vertex[v]] = prepared.original_vertex[ends[v]];
         prepared.report.welded_vertices += ends[v] != v;
     }
-    for (std::uint32_t& v : representative)
+    for (std::uint32_t& v : prepared.representative)
         v = place[v];
+    if (prepared.representative.empty()) prepared.representative = std::move(place);
     return restrict_to(usable_triangles(positions, with_places(prepared.triangles, ends)),
                        prepared);
 }
@@ -283,10 +281,8 @@ PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, Facing facing
     prepared.triangles = usable_triangles(mesh.positions, mesh.triangles);
     expect_surface(prepared.triangles);
     prepared.report.degenerate_triangles = mesh.triangles.size() - prepared.triangles.size();
-    const bool may_be_doubled =
-        prepared.triangles.size() > kMostPerVertex * mesh.positions.size() ||
-        are_two_sided(prepared.triangles);
-    if (may_be_doubled || !is_closed(prepared.triangles)) {
+    const bool may_be_doubled = prepared.triangles.size() > kMostPerVertex * mesh.positions.size();
+    if (may_be_doubled || !is_closed(prepared.triangles) || are_two_sided(prepared.triangles)) {
         const std::vector<std::uint32_t> place_of = make_conforming(
             mesh.positions, nearness_of(mesh.positions, prepared.triangles), prepared.triangles);
         if (cuts == Cuts::Stitched) stitch(mesh, place_of, prepared);

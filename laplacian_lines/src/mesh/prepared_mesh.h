@@ -41,7 +41,7 @@ struct PreparedMesh {
     std::size_t size() const { return positions.size(); }
 };
 
-/// What to do about cuts: see stitch_cuts().
+/// What to do about cuts, see stitch_cuts(), and sides without length.
 enum class Cuts { Left, Stitched };
 
 /// Whether triangles are turned: see orient().

@@ -102,9 +102,9 @@ Vector3d direction_of_axis(const TriangleMesh& mesh, const Vector3d& middle, dou
                            &c = mesh.positions[t[2]];
             const Vector3d area = (b - a).cross(c - a), normal = area.stableNormalized();
             if (!area.allFinite() || normal.isZero()) continue;
-            for (const Vector3d& side : {Vector3d(a + b), Vector3d(b + c), Vector3d(c + a)}) {
+            for (const Vector3d& ends : {Vector3d(a + b), Vector3d(b + c), Vector3d(c + a)}) {
                 Vector6 row;
-                row << (side / 2 - middle).cross(normal) / size, normal;
+                row << (ends / 2 - middle).cross(normal) / size, normal;
                 const double miss = std::abs(row.dot(line));
                 sum += area.norm() / (round == 0 ? 1 : std::max(miss, kLeastMiss)) * row *
                        row.transpose();
@@ -141,12 +141,6 @@ double share_of_rim(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, in
                 add(a + double(part) / kPartsOfSide * (b - a));
             }
     return double(std::count(is_there.begin(), is_there.end(), true)) / kDirections;
-}
-
-int axis_along(const Vector3d& direction) {
-    int axis = 0;
-    direction.cwiseAbs().maxCoeff(&axis);
-    return axis;
 }
 
 /// An axis along one of the mesh, seen along it.
@@ -204,6 +198,12 @@ constexpr double kLeastSpan = 0.1;     // of the height: a round base is not a l
 
 std::string percent(double share) {
     return in_digits(std::floor(100 * share + 1e-9)) + " %";
+}
+
+int axis_along(const Vector3d& direction) {
+    int axis = 0;
+    direction.cwiseAbs().maxCoeff(&axis);
+    return axis;
 }
 
 DrawnLine line_of(const Vector2d& begin, const Vector2d& end) {
