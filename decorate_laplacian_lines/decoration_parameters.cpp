@@ -69,13 +69,14 @@ line_renderer::LineLooks looks_of(const DecorationParameters& parameters) {
     constexpr double share_within =
         pen(line_drawing::LineClass::Contour) / pen(line_drawing::LineClass::Outline);
     line_renderer::LineLooks looks;
-    std::transform(laplacian_lines::kLineKinds.begin(), laplacian_lines::kLineKinds.end(),
-                   looks.begin(), [&](const laplacian_lines::LineKindDescription& kind) {
-                       return line_renderer::LineLook{
-                           colored[kind.kind] ? QColor(kind.key_color) : parameters.line_color,
-                           parameters.line_width * (kind.is_outline ? parameters.outline_width : 1),
-                           kind.is_outline ? share_within : 1};
-                   });
+    std::transform(
+        laplacian_lines::kLineKinds.begin(), laplacian_lines::kLineKinds.end(), looks.begin(),
+        [&](const laplacian_lines::LineKindDescription& kind) {
+            return line_renderer::LineLook{
+                colored[kind.kind] ? QColor(kind.key_color) : parameters.line_color,
+                parameters.line_width * (kind.bounds_form ? parameters.outline_width : 1),
+                kind.bounds_form ? share_within : 1};
+        });
     return looks;
 }
 

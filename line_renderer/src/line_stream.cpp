@@ -181,7 +181,7 @@ Runs cut_in_runs(const LineSet& lines) {
             const std::size_t begin = run->last_line;
             *++run = {begin, begin};
         }
-        run->lengths[describe(line.kind).is_outline] += length_of(line);
+        run->lengths[describe(line.kind).bounds_form] += length_of(line);
         length += length_of(line);
         ++run->last_line;
     }
@@ -193,7 +193,7 @@ std::size_t write_run(const LineSet& lines, const Run& run, bool outlines,
     StreamWriter writer(settings, stream);
     for (std::size_t i = run.first_line; i < run.last_line; ++i) {
         const Polyline& line = lines.lines[i];
-        if (!is_drawn(line) || describe(line.kind).is_outline != outlines) continue;
+        if (!is_drawn(line) || describe(line.kind).bounds_form != outlines) continue;
         const LinePoint* first = lines.points.data() + line.first;
         writer.write(first, first + line.count - 1, line);
     }

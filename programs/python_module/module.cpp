@@ -68,7 +68,7 @@ nb::list kinds() {
     nb::list rows;
     for (const LineKindDescription& kind : kLineKinds)
         rows.append(dict_of("key"_a = kind.key, "one"_a = kind.one, "many"_a = kind.many,
-                            "outline"_a = kind.is_outline, "color"_a = kind.color,
+                            "outline"_a = kind.bounds_form, "color"_a = kind.color,
                             "width"_a = kind.width));
     return rows;
 }

@@ -44,7 +44,7 @@ TEST(DemarcatingCurves, FollowTheMiddleOfFlanks) {
             EXPECT_EQ(line.kind, LineKind::DemarcatingCurve);
             length += line.length * std::sqrt(8.01);
         }
-        EXPECT_NEAR(length, 3.14159, 0.15) << "all around, once";
+        EXPECT_NEAR(length, M_PI, 0.15) << "all around, once";
         double error = 0;
         for (const LinePoint& p : lines.points)
             error += std::abs(p.position.head<2>().norm() - 0.5);

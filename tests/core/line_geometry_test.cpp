@@ -15,8 +15,6 @@ namespace {
 using namespace laplacian_lines;
 using helpers::extract;
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// The silhouette of a sphere of radius R seen from distance d is the circle of radius
 /// R √(1 − R²/d²) at height R²/d; from infinity the great circle.
 double distance_to_silhouette(const Eigen::Vector3d& p, const Eigen::Vector3d& direction,
@@ -38,7 +36,7 @@ void expect_silhouette(const View& view, const LineStyle& style, double toleranc
         worst = std::max(worst, distance_to_silhouette(p.position.cast<double>(),
                                                        view.eye.normalized(), height));
     EXPECT_LT(worst, tolerance);
-    const double circumference = 2 * kPi * std::sqrt(1 - height * height);
+    const double circumference = 2 * M_PI * std::sqrt(1 - height * height);
     const double diagonal = 2 * std::sqrt(3.0);
     EXPECT_NEAR(lines.lines[0].length * diagonal, circumference, 2e-3 * circumference);
 }
@@ -104,7 +102,7 @@ TEST(ClosedLines, HaveTheSameWeightAllRound) {
         lines_of([](double x, double y) { return std::hypot(x, y) - 0.61; }, style, 0.5, 0);
     ASSERT_EQ(set.lines.size(), 1u);
     EXPECT_TRUE(set.lines[0].closed);
-    EXPECT_NEAR(set.lines[0].length * std::sqrt(8.0), 2 * kPi * 0.61, 0.01);
+    EXPECT_NEAR(set.lines[0].length * std::sqrt(8.0), 2 * M_PI * 0.61, 0.01);
     for (const LinePoint& p : set.points)
         EXPECT_NEAR(p.weight, 0.5, 0.01);
 }
@@ -115,7 +113,7 @@ TEST(ClosedLines, HaveTheSameWeightAllRound) {
 /// at the point.
 float opacity_at_point(double degrees) {
     constexpr double kPoint = -0.303;
-    const double half = degrees / 2 * kPi / 180;
+    const double half = degrees / 2 * M_PI / 180;
     LineStyle style = helpers::all_laplacian_lines();
     style.whole_lines = style.single_strokes = true;
     style.least_concavity = -1;

@@ -9,8 +9,6 @@
 namespace reference {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 using laplacian_lines::Triangle;
 
 /// visit(corner, next, previous), for all triangles.
@@ -96,7 +94,7 @@ Vectors laplacian(const TriangleMesh& mesh, const Vectors& normals, double kerne
             const double facing = skip_opposite_sheet ? facing_weight(normals[q], normals[p]) : 1;
             result[p] += m[q] * facing * std::exp(-squared / (4 * h)) * (normals[q] - normals[p]);
         }
-        result[p] /= 4 * kPi * h * h;
+        result[p] /= 4 * M_PI * h * h;
     }
     return result;
 }

@@ -77,7 +77,8 @@ TEST(ReferenceField, HasTheSameScale) {
     EXPECT_EQ(scale.normal_sigma, 0);
     EXPECT_DOUBLE_EQ(measured.kernel_size, scale.kernel_size);
     EXPECT_EQ(measured.normal_sigma, 0) << "known only once the surface is looked at";
-    EXPECT_DOUBLE_EQ(automatic_kernel_size(0.001, 1), 0.0045);
+    const FieldScale fine = measure_scale(test_meshes::sphere(7).mesh);
+    EXPECT_DOUBLE_EQ(fine.kernel_size, 0.0045 * fine.diagonal);
 }
 
 // ---- lines

@@ -71,7 +71,7 @@ TEST(Ridges, FollowTheMiddleOfRoundedEdges) {
     EXPECT_EQ(edges.size(), 12u);
     for (const Polyline& line : lines.lines) {
         EXPECT_EQ(line.kind, LineKind::Ridge);
-        EXPECT_FALSE(describe(line.kind).is_outline);
+        EXPECT_FALSE(describe(line.kind).bounds_form);
     }
 }
 
@@ -126,7 +126,7 @@ TEST(Ridges, NeedTheirAngle) {
 /// x = 1, in proportion between.
 TriangleMesh fading_edge(double most) {
     return test_meshes::grid_mesh({160, 160}, [&](double u, double v) {
-        const double y = v - 0.5, slope = std::tan(most * (1 - u) / 2 * 3.14159265358979 / 180);
+        const double y = v - 0.5, slope = std::tan(most * (1 - u) / 2 * M_PI / 180);
         return Eigen::Vector3d(u, y, -slope * std::sqrt(y * y + 0.01 * 0.01));
     });
 }

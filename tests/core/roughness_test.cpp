@@ -132,12 +132,6 @@ TEST(Roughness, HasNoisyCoarseMeshesDrawnWithSmoothContours) {
     EXPECT_NEAR(drawn_length(test_meshes::with_noise(bumps, 0.2), {}), clean, 0.8 * clean);
 }
 
-TEST(Roughness, HasTheSmoothingInProportionWithinLimits) {
-    EXPECT_EQ(automatic_normal_sigma(0), 0);
-    EXPECT_NEAR(automatic_normal_sigma(2), 1.4, 1e-12);
-    EXPECT_EQ(automatic_normal_sigma(100), 2.5);
-}
-
 TEST(Roughness, IsOverriddenByASigma) {
     PrecomputeOptions options;
     options.normal_sigma = 3;
@@ -149,7 +143,7 @@ TEST(Roughness, IsOverriddenByASigma) {
 TEST(Roughness, GivesTheFieldOfTheSigmaThatItChooses) {
     const Field field = precompute(terraces());
     PrecomputeOptions options;
-    options.normal_sigma = automatic_normal_sigma(field.report.roughness);
+    options.normal_sigma = field.scale.normal_sigma / field.scale.mean_edge;
     EXPECT_TRUE(helpers::same_fields(field, precompute(terraces(), options)));
 }
 

@@ -55,7 +55,7 @@ TEST(DecorationParameters, AreTheDefaultsWhenNothingIsSet) {
         const line_renderer::LineLook& look = read.appearance.looks[std::size_t(kind.kind)];
         EXPECT_EQ(look.color, QColor(Qt::black));
         EXPECT_DOUBLE_EQ(look.width, line_renderer::kUsualLineWidth * kind.width);
-        EXPECT_DOUBLE_EQ(look.share_within, kind.is_outline ? 0.7 : 1);
+        EXPECT_DOUBLE_EQ(look.share_within, kind.bounds_form ? 0.7 : 1);
         EXPECT_EQ(read.style.shows[kind.kind], kind.shown) << kind.key;
     }
     EXPECT_EQ(read.surface, SurfaceLook::AsMeshLabDrawsIt);
@@ -75,7 +75,7 @@ TEST(DecorationParameters, WidenOutlinesInProportion) {
     const DecorationParameters read = read_valid_parameters(list).chosen;
     for (const auto& kind : laplacian_lines::kLineKinds)
         EXPECT_DOUBLE_EQ(read.appearance.looks[std::size_t(kind.kind)].width,
-                         kind.is_outline ? 7.5 : 3)
+                         kind.bounds_form ? 7.5 : 3)
             << kind.key;
 }
 

@@ -82,7 +82,7 @@ double sharpest(const DrawnLine& line) {
                               line.points.begin() + std::ptrdiff_t(i) + 1}};
         largest = std::max(largest, turning(part));
     }
-    return largest * 180 / 3.141592653589793;
+    return largest * 180 / M_PI;
 }
 
 /// Waves too high to smooth away, with a corner each: what bends least touches its tube smoothly,
@@ -100,7 +100,7 @@ TEST(StrokeSmoothing, LeavesNoCorners) {
 TEST(StrokeSmoothing, LeavesNoCornerWhereALoopBegins) {
     DrawnLine loop{LineClass::Outline, true, {}};
     for (int i = 0; i <= 40; ++i) {
-        const double angle = 3.141592653589793 * (i % 40) / 20, radius = i % 2 ? 3.1 : 3;
+        const double angle = M_PI * (i % 40) / 20, radius = i % 2 ? 3.1 : 3;
         loop.points.push_back({radius * Vector2d(std::cos(angle), std::sin(angle))});
         loop.points.back().is_exact = false;
     }
@@ -307,7 +307,7 @@ constexpr double kPen = 0.25;
 /// 10 mm along x, then `length` at `degrees`, in steps of .1 mm.
 DrawnLine hooked(double length, double degrees) {
     DrawnLine line{LineClass::Inner, false, {}};
-    const double angle = degrees * 3.141592653589793 / 180;
+    const double angle = degrees * M_PI / 180;
     for (int i = 0; i <= 100; ++i)
         line.points.push_back({{0.1 * i, 0}});
     for (double at = 0.1; at < length + 0.05; at += 0.1)

@@ -12,8 +12,6 @@ using Points = std::vector<Path::Point>;
 
 namespace {
 
-constexpr double kPi = 3.14159265358979;
-
 Path path_of(const Points& points, bool is_closed) {
     Path path;
     path.fill_rule = FillRule::NonZero;
@@ -83,13 +81,13 @@ TEST(PngFiles, CutOffWhatIsOutside) {
 }
 
 TEST(PngFiles, HavePensWithRoundEndsAndJoins) {
-    EXPECT_NEAR(ink(stroked({{3, 4}, {7, 4}}, 4)), 16 + kPi * 4, 0.15);
-    EXPECT_NEAR(ink(stroked({{3, 3}, {7, 3}, {7, 6}}, 2)), 14 - 1 + kPi * 1.25, 0.15);
-    EXPECT_NEAR(ink(stroked({{3, 4}, {7, 4}, {3, 4}}, 4)), 16 + kPi * 4, 0.15);  // there and back
+    EXPECT_NEAR(ink(stroked({{3, 4}, {7, 4}}, 4)), 16 + M_PI * 4, 0.15);
+    EXPECT_NEAR(ink(stroked({{3, 3}, {7, 3}, {7, 6}}, 2)), 14 - 1 + M_PI * 1.25, 0.15);
+    EXPECT_NEAR(ink(stroked({{3, 4}, {7, 4}, {3, 4}}, 4)), 16 + M_PI * 4, 0.15);  // there and back
     for (int degrees = 0; degrees < 360; degrees += 35) {
         const Path::Point middle(5, 4),
-            span(2 * std::cos(degrees * kPi / 180), 2 * std::sin(degrees * kPi / 180));
-        EXPECT_NEAR(ink(stroked({middle - span, middle + span}, 0.5)), 4 * 0.5 + kPi * 0.0625,
+            span(2 * std::cos(degrees * M_PI / 180), 2 * std::sin(degrees * M_PI / 180));
+        EXPECT_NEAR(ink(stroked({middle - span, middle + span}, 0.5)), 4 * 0.5 + M_PI * 0.0625,
                     0.08);
     }
 }

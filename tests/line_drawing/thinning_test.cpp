@@ -228,7 +228,7 @@ TEST(Chaining, JoinsLinesOverGaps) {
 
 /// From (x, 0), degrees to the left.
 DrawnLine towards(double x, double angle, LineClass line_class = LineClass::Inner) {
-    const double a = angle * 3.14159265 / 180;
+    const double a = angle * M_PI / 180;
     return straight({x, 0}, Vector2d(x, 0) + 9 * Vector2d(std::cos(a), std::sin(a)), 1, line_class);
 }
 

@@ -14,8 +14,6 @@
 namespace test_meshes {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 /// Row by row.
 std::vector<Eigen::Vector2d> grid_parameters(const Grid& grid) {
     std::mt19937 random(1);
@@ -182,13 +180,14 @@ AnalyticMesh bumpy_sphere(int level, double jitter) {
 }
 
 AnalyticMesh torus(int columns, int rows, double jitter) {
-    return grid_mesh({columns, rows, true, true, jitter},
-                     [](double u, double v) { return torus_point({}, 2 * kPi * u, 2 * kPi * v); });
+    return grid_mesh({columns, rows, true, true, jitter}, [](double u, double v) {
+        return torus_point({}, 2 * M_PI * u, 2 * M_PI * v);
+    });
 }
 
 AnalyticMesh half_torus(int columns, int rows, double jitter) {
     return grid_mesh({columns, rows, false, true, jitter},
-                     [](double u, double v) { return torus_point({}, kPi * u, 2 * kPi * v); });
+                     [](double u, double v) { return torus_point({}, M_PI * u, 2 * M_PI * v); });
 }
 
 AnalyticMesh hills(int cells, double jitter) {
@@ -198,7 +197,7 @@ AnalyticMesh hills(int cells, double jitter) {
 
 AnalyticMesh cylinder(int columns, int rows) {
     return grid_mesh({columns, rows, true, false}, [](double u, double v) {
-        const Eigen::Vector3d n(std::cos(2 * kPi * u), std::sin(2 * kPi * u), 0);
+        const Eigen::Vector3d n(std::cos(2 * M_PI * u), std::sin(2 * M_PI * u), 0);
         const Eigen::Vector3d along(-n.y(), n.x(), 0);
         const Eigen::Matrix3d zero = Eigen::Matrix3d::Zero();
         return SurfacePoint{n + (2 * v - 1) * Eigen::Vector3d::UnitZ(),
@@ -261,7 +260,7 @@ TriangleMesh stacked(const std::vector<Eigen::Vector3d>& rectangles, unsigned di
 
 TriangleMesh moebius_strip(int columns, int rows) {
     TriangleMesh mesh = grid_mesh({columns, rows}, [](double u, double v) {
-        const double turn = kPi * u, across = 0.6 * (v - 0.5);
+        const double turn = M_PI * u, across = 0.6 * (v - 0.5);
         const double ring = 1 + across * std::cos(turn);
         return Eigen::Vector3d(ring * std::cos(2 * turn), ring * std::sin(2 * turn),
                                across * std::sin(turn));
@@ -278,7 +277,7 @@ TriangleMesh moebius_strip(int columns, int rows) {
 TriangleMesh fan_of_sheets(int sheets, int cells) {
     TriangleMesh fan;
     for (int s = 0; s < sheets; ++s) {
-        const double angle = 2 * kPi * s / sheets + 0.2;
+        const double angle = 2 * M_PI * s / sheets + 0.2;
         append(fan, grid_mesh({cells, cells}, [&](double u, double v) {
                    const double bulge = 0.2 * std::sin(3 * u) * std::sin(4 * v);
                    return Eigen::Vector3d(u * std::cos(angle + bulge), u * std::sin(angle + bulge),
@@ -302,7 +301,7 @@ TriangleMesh star(int triangles) {
     TriangleMesh mesh;
     const auto count = std::uint32_t(triangles);
     for (std::uint32_t i = 0; i < count; ++i) {
-        const double angle = 2 * kPi * i / count;
+        const double angle = 2 * M_PI * i / count;
         mesh.positions.push_back({std::cos(angle), std::sin(angle), 0.1 * std::sin(5 * angle)});
         mesh.triangles.push_back({count, i, (i + 1) % count});
     }

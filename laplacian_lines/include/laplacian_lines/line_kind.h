@@ -30,7 +30,7 @@ struct LineKindDescription {
     const char* help;                ///< of the switch
     const char* one;                 ///< a line of this kind, within a sentence
     const char* many;                ///< several
-    bool is_outline = false;         ///< bounds the form; the others describe what is inside
+    bool bounds_form = false;        ///< the others describe what is inside
     bool shown = true;               ///< by default
     bool needs_derivatives = false;  ///< needs Field::has_derivatives()
     std::uint32_t color = 0;         ///< by default, 0xRRGGBB
@@ -38,9 +38,9 @@ struct LineKindDescription {
     double width = 1;                ///< by default, in widths of a Laplacian line of full weight
 
     // Modifiers for rows of the table.
-    constexpr LineKindDescription as_outline() const {
+    constexpr LineKindDescription as_bound() const {
         LineKindDescription row = *this;
-        row.is_outline = true;
+        row.bounds_form = true;
         row.width = 2;
         return row;
     }
@@ -73,13 +73,13 @@ inline constexpr std::array kLineKinds = {
                         "Laplacian line", "Laplacian lines"},
     LineKindDescription{LineKind::Contour, "contours", "Outlines",
                         "Where the surface turns away from the eye.", "outline", "outlines"}
-        .as_outline(),
+        .as_bound(),
     LineKindDescription{LineKind::Ridge, "ridges", "Ridges",
                         "Convex edges of the form, sharp or rounded.", "ridge", "ridges"}
         .with_key_color(0x7a4b2a),
     LineKindDescription{LineKind::Border, "borders", "Borders", "Of holes and open surfaces.",
                         "border", "borders"}
-        .as_outline()
+        .as_bound()
         .with_key_color(0x6b6b6b),
     LineKindDescription{LineKind::Crease, "creases", "Creases",
                         "Sharp edges of the form, on meshes of few triangles, such as those of "

@@ -27,7 +27,7 @@ constexpr LineKindSet only_kinds(std::initializer_list<LineKind> kinds) {
 
 constexpr LineKindSet outlines_and(std::initializer_list<LineKind> kinds) {
     return only_kinds(kinds) |
-           LineKindSet::where([](const LineKindDescription& row) { return row.is_outline; });
+           LineKindSet::where([](const LineKindDescription& row) { return row.bounds_form; });
 }
 
 /// Kinds with a key_color.

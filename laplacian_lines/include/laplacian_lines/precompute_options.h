@@ -38,9 +38,8 @@ struct PrecomputeOptions {
     double accuracy = 1e-3;
     NormalSmoothing normal_smoothing = NormalSmoothing::Gaussian;
     /// Standard deviation of the smoothing, in ē. 0: automatic, none on CAD meshes with large
-    /// triangles; else what noise asks for, see automatic_normal_sigma(), or up to 0.8 of
-    /// their own edges where triangles are finer than the kernel. None at all:
-    /// NormalSmoothing::None.
+    /// triangles; else what noise asks for, or up to 0.8 of their own edges where triangles are
+    /// finer than the kernel. None at all: NormalSmoothing::None.
     double normal_sigma = 0;
     GradientEstimator gradient_estimator = GradientEstimator::TriangleFit;
     double gradient_radius = 3.0;  ///< ball of the least squares fit, in mean edges
@@ -54,12 +53,6 @@ struct PrecomputeOptions {
     /// Also compute Field::curvature_derivatives and smooth_curvatures, for kinds that need them.
     bool curvature_derivatives = false;
 };
-
-/// The automatic √h of all but CAD meshes. Lengths in any unit; the result has the same one.
-double automatic_kernel_size(double mean_edge, double diagonal);
-
-/// In mean edges, given MeshReport::roughness.
-double automatic_normal_sigma(double roughness);
 
 /// @throws Error(InvalidOption) naming the first option that is out of range.
 void validate(const PrecomputeOptions& options);

@@ -16,7 +16,7 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kPi = EIGEN_PI;
 constexpr double kQuickAccuracy = 0.5e-3;  // least accuracy for which quick Gaussians will do
 // Share of the kernel's mass that is on the surface; less is only at the tip of a border's corner.
 constexpr double kLeastKernelMass = 0.2;

@@ -23,6 +23,9 @@ namespace laplacian_lines {
 std::vector<Eigen::Vector3d> vertex_normals(const PreparedMesh& mesh, const VertexRanges& ranges,
                                             const StageProgress& stage);
 
+/// The automatic √h of all but CAD meshes. Lengths in any unit; the result has the same one.
+double automatic_kernel_size(double mean_edge, double diagonal);
+
 /// √h in local units: the option, or the automatic size.
 double kernel_size_of(const PreparedMesh& mesh, const PrecomputeOptions& options);
 
@@ -41,6 +44,9 @@ constexpr double kLargestRoughness = 0.5;
 double measure_roughness(const PreparedMesh& mesh, const VertexRanges& ranges,
                          const SpatialTree& tree, const std::vector<Eigen::Vector3d>& normals,
                          const StageProgress& stage);
+
+/// The smoothing that this roughness asks for, in mean edges.
+double automatic_normal_sigma(double roughness);
 
 /// Replaces unit normals by the mean of those around them, weighted by facing_weight(n_q·n_p) and a
 /// Gaussian of the standard deviation `sigma`, local units.

@@ -51,7 +51,7 @@ struct SteepestBend {
 };
 
 SteepestBend steepest_bend(const Eigen::Vector4f& derivative) {
-    constexpr float step = 2 * 3.14159265f / kDirections;
+    constexpr float step = 2 * float(EIGEN_PI) / kDirections;
     float values[kDirections];
     for (int i = 0; i < kDirections; ++i)
         values[i] = cubic(derivative, cosine_of(float(i) * step), sine_of(float(i) * step));

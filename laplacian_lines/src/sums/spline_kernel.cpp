@@ -8,12 +8,13 @@
 // with the Gaussian's transform G, whose own aliases vanish. Taps are its inverse transform.
 #include "sums/spline_kernel.h"
 
+#include <Eigen/Core>
 #include <cmath>
 
 namespace laplacian_lines {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kPi = EIGEN_PI;
 constexpr int kFrequencies = 512;  // at which K is sampled: taps reach less than that
 constexpr int kAliases = 4;        // to either side: others are below 1e-7 of the sums
 

@@ -81,7 +81,7 @@ private:
         const double room = all_.picture.rise_of(kRounding * all_.picture.mesh().line_precision,
                                                  std::max(a.z(), b.z()));
         // With surface on both sides of each, visibility changes only where they meet in space.
-        const bool must_meet = !describe(s.kind).is_outline && !describe(d.kind).is_outline;
+        const bool must_meet = !describe(s.kind).bounds_form && !describe(d.kind).bounds_form;
         if (must_meet && (std::min(a.z(), b.z()) > std::max(c.z(), e.z()) + room ||
                           std::min(c.z(), e.z()) > std::max(a.z(), b.z()) + room))
             return;

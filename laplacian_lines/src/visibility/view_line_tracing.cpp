@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Visible pieces become lines:
-//  1. Those that are wanted are kept, without specks.
+//  1. Those that are wanted are kept, without short contours.
 //  2. Ends of pieces that meet at a node are linked in pairs of one class: the straightest first,
 //     and straight ones only, but those of outlines always, for outlines close.
 //  3. What is linked is a line, smoothed between its exact points.
@@ -35,7 +35,7 @@ public:
           first_crossing_(first_crossing_node(all)) {
         for (const VisibilityPiece& piece : pieces)
             if (is_wanted(piece)) pieces_.push_back(piece);
-        if (of_edges && options.shortest_contour > 0) drop_specks();
+        if (of_edges && options.shortest_contour > 0) drop_short_contours();
         nodes_.assign(2 * pieces_.size(), kNone);
     }
 
@@ -69,9 +69,9 @@ private:
         return (!of_edges_ || options_.shows[segment.kind]) && (may_be_hidden || !piece.is_hidden);
     }
 
-    /// Drops specks, which rough scans have near their horizon: contours and borders in connected
-    /// sets smaller than the shortest contour.
-    void drop_specks() {
+    /// Drops contours and borders in connected sets smaller than the shortest contour, which rough
+    /// scans have near their horizon.
+    void drop_short_contours() {
         std::uint32_t nodes = 0;
         for (const VisibilityPiece& piece : pieces_)
             nodes = std::max({nodes, piece.nodes[0] + 1, piece.nodes[1] + 1});
@@ -88,11 +88,11 @@ private:
             reach[at] = std::max(reach[at], (position(half) - position(first[at])).norm());
         }
         const double shortest = options_.shortest_contour * all_.picture.mesh().size;
-        const auto is_speck = [&](const VisibilityPiece& piece) {
-            return !piece.is_hidden && describe(all_.segments[piece.segment].kind).is_outline &&
+        const auto is_short = [&](const VisibilityPiece& piece) {
+            return !piece.is_hidden && describe(all_.segments[piece.segment].kind).bounds_form &&
                    reach[set[piece.nodes[0]]] < shortest;
         };
-        pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(), is_speck), pieces_.end());
+        pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(), is_short), pieces_.end());
     }
 
     /// Only pieces of one class are joined; near edges of faces seen edge-on are a class.
@@ -100,9 +100,9 @@ private:
         const VisibilityPiece& piece = pieces_[half / 2];
         if (options_.in_picture && piece.is_outline) return -1;
         const VisibilitySegment& segment = segment_of(half);
-        const bool is_outline = describe(segment.kind).is_outline;
-        if (is_outline && !segment.divides) return 2 * int(kLineKindCount) + piece.is_hidden;
-        const int kind = options_.in_picture && is_outline ? 0 : int(segment.kind);
+        const bool bounds_form = describe(segment.kind).bounds_form;
+        if (bounds_form && !segment.divides) return 2 * int(kLineKindCount) + piece.is_hidden;
+        const int kind = options_.in_picture && bounds_form ? 0 : int(segment.kind);
         return 2 * kind + piece.is_hidden;
     }
 

@@ -85,7 +85,7 @@ void decide(const VisibilitySegments& all, VisibilityPiece& piece, std::uint32_t
         segment.kind == LineKind::Contour && segment.is_exact && !segment.divides;
     piece.gap = is_crease ? 0 : float(hits.gap);
     piece.is_outline = !hits.is_hidden && std::isinf(hits.gap) && segment.divides &&
-                       describe(segment.kind).is_outline;
+                       describe(segment.kind).bounds_form;
 }
 
 /// Whether a piece continues the one before as an uncrossed line on the surface.

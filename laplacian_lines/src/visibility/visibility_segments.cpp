@@ -153,7 +153,7 @@ void append_line(const LineSet& set, const Polyline& line, VisibilitySegments& a
 }  // namespace
 
 bool is_edge_kind(LineKind kind) {
-    return describe(kind).is_outline || kind == LineKind::Crease;
+    return describe(kind).bounds_form || kind == LineKind::Crease;
 }
 
 VisibilitySegments find_visibility_segments(const Picture& picture, const CreaseMarks& creases,

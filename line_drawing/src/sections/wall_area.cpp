@@ -29,24 +29,6 @@ DrawnPoint point_at(const DrawnPoint& a, const DrawnPoint& b, double t) {
     return t == 0 ? a : t == 1 ? b : between(a, b, t);
 }
 
-struct Stretch {
-    double begin, end;
-};
-
-/// The maximal stretches of a segment outside the area.
-std::vector<Stretch> outside(const WallArea& area, const Vector2d& a, const Vector2d& b) {
-    std::vector<Stretch> result;
-    const std::vector<double> at = area.crossings(a, b);
-    for (std::size_t i = 1; i < at.size(); ++i) {
-        if (area.encloses(a + at[i - 1] * (b - a), a + at[i] * (b - a))) continue;
-        if (result.empty() || result.back().end != at[i - 1])
-            result.push_back({at[i - 1], at[i]});
-        else
-            result.back().end = at[i];
-    }
-    return result;
-}
-
 /// Joins the last part to the first where a closed line begins.
 void join_at_begin(std::vector<DrawnLine>& parts) {
     std::vector<DrawnPoint>& last = parts.back().points;
@@ -60,8 +42,8 @@ std::vector<DrawnLine> parts_outside(const WallArea& area, const DrawnLine& line
     bool goes_on = false, begins_outside = false;
     for (std::size_t i = 1; i < line.points.size(); ++i) {
         const DrawnPoint &a = line.points[i - 1], &b = line.points[i];
-        const std::vector<Stretch> stretches = outside(area, a.position, b.position);
-        for (const Stretch& stretch : stretches) {
+        const auto stretches = area.outside(a.position, b.position);
+        for (const WallArea::Stretch& stretch : stretches) {
             if (!goes_on || stretch.begin > 0) {
                 parts.push_back(with_points(line, {point_at(a, b, stretch.begin)}));
                 begins_outside |= i == 1 && stretch.begin == 0;
@@ -157,6 +139,20 @@ bool WallArea::contains(const Vector2d& point) const {
     return is_inside;
 }
 
+std::vector<WallArea::Stretch> WallArea::outside(const Vector2d& begin, const Vector2d& end) const {
+    std::vector<Stretch> result;
+    const std::vector<double> at = crossings(begin, end);
+    for (std::size_t i = 1; i < at.size(); ++i) {
+        if (encloses(begin + at[i - 1] * (end - begin), begin + at[i] * (end - begin))) continue;
+        if (result.empty() || result.back().end != at[i - 1])
+            result.push_back({at[i - 1], at[i]});
+        else
+            result.back().end = at[i];
+    }
+    return result;
+}
+
+/// Where a segment meets the loops, as shares of it: ascending, with 0 and 1.
 std::vector<double> WallArea::crossings(const Vector2d& begin, const Vector2d& end) const {
     std::vector<double> at = {0, 1};
     const Vector2d span = end - begin;
@@ -178,6 +174,7 @@ std::vector<double> WallArea::crossings(const Vector2d& begin, const Vector2d& e
     return at;
 }
 
+/// Whether a segment that meets loops only at its ends is inside, and not along a loop.
 bool WallArea::encloses(const Vector2d& begin, const Vector2d& end) const {
     const Vector2d span = (end - begin).stableNormalized(), middle = (begin + end) / 2;
     const Vector2d aside = slight_ * Vector2d(-span.y(), span.x());

@@ -12,17 +12,20 @@ public:
 
     bool contains(const Eigen::Vector2d& point) const;
 
-    /// Where a segment meets the loops, as shares of it: ascending, with 0 and 1.
-    std::vector<double> crossings(const Eigen::Vector2d& begin, const Eigen::Vector2d& end) const;
-
-    /// Whether a segment that meets loops only at its ends is inside, and not along a loop.
-    bool encloses(const Eigen::Vector2d& begin, const Eigen::Vector2d& end) const;
+    /// A part of a segment, from one share of it to another.
+    struct Stretch {
+        double begin, end;
+    };
+    /// The maximal stretches of a segment that are outside, or along a loop; in their order.
+    std::vector<Stretch> outside(const Eigen::Vector2d& begin, const Eigen::Vector2d& end) const;
 
 private:
     struct Edge {
         Eigen::Vector2d begin, end;
     };
     std::size_t row_of(double y) const;
+    std::vector<double> crossings(const Eigen::Vector2d& begin, const Eigen::Vector2d& end) const;
+    bool encloses(const Eigen::Vector2d& begin, const Eigen::Vector2d& end) const;
 
     double low_ = 0, row_height_ = 1;      // of the rows
     double slight_ = 0;                    // distance to either side of a line along a border

@@ -27,14 +27,14 @@ using Eigen::Vector2d;
 /// A row or column. Its views are aligned by their middles.
 struct Band {
     double before = 0, behind = 0;  // how far views reach from their middles, mm of the object
-    double room = 0;                // for marks at both ends, mm on the sheet
+    double marks = 0;               // their room at both ends, mm on the sheet
     double name = 0;                // width of the widest name, mm on the sheet
     double middle = 0;              // on the sheet, mm, set by set_middles()
 
-    void hold(double view_before, double view_behind, double view_room) {
+    void hold(double view_before, double view_behind, double view_marks) {
         before = std::max(before, view_before);
         behind = std::max(behind, view_behind);
-        room = std::max(room, view_room);
+        marks = std::max(marks, view_marks);
     }
 };
 using Bands = std::map<int, Band>;  // by the number of the row or column
@@ -44,10 +44,10 @@ double set_middles(Bands& bands, double start, double scale, double gap) {
     double end = start;
     for (auto& [number, band] : bands) {
         if (end != start) end += gap;
-        const double width = scale * (band.before + band.behind) + 2 * band.room;
-        const double room = band.room + std::max(0., band.name - width) / 2;
-        band.middle = end + room + scale * band.before;
-        end = band.middle + scale * band.behind + room;
+        const double width = scale * (band.before + band.behind) + 2 * band.marks;
+        const double aside = band.marks + std::max(0., band.name - width) / 2;
+        band.middle = end + aside + scale * band.before;
+        end = band.middle + scale * band.behind + aside;
     }
     return end;
 }
@@ -68,15 +68,15 @@ public:
           cells_(cells_of(views, options, choice)) {
         for (std::size_t i = 0; i < views.size(); ++i) {
             const auto& box = views[i].bounds;
-            const Vector2d room = room_of_marks(views[i]);
+            const Vector2d marks = room_of_marks(views[i]);
             Band& column = columns_[cells_[i].column];
-            column.hold(-box.min().x(), box.max().x(), room.x());
+            column.hold(-box.min().x(), box.max().x(), marks.x());
             if (name_row_ > 0)
                 column.name =
                     std::max(column.name,
                              width_in_any_font(name_of(views[i].frame, !are_in_perspective(views)),
                                                kViewNameHeight));
-            rows_[cells_[i].row].hold(box.max().y(), -box.min().y(), room.y());
+            rows_[cells_[i].row].hold(box.max().y(), -box.min().y(), marks.y());
         }
     }
 
@@ -112,13 +112,13 @@ private:
     Bands rows_, columns_;
 };
 
-/// For views.
-Vector2d room(const Vector2d& paper) {
+/// The part of the paper for views.
+Vector2d room_on(const Vector2d& paper) {
     return {paper.x() - 2 * kSheetMargin, paper.y() - 2 * kSheetMargin - kStripHeight};
 }
 
 bool fits(const Vector2d& size, const Vector2d& paper) {
-    return (size.array() <= room(paper).array()).all();
+    return (size.array() <= room_on(paper).array()).all();
 }
 
 std::optional<double> largest_scale(Layout& layout, const Vector2d& paper) {
@@ -165,11 +165,11 @@ double filling_scale(Layout& layout, const Vector2d& paper) {
     constexpr double far = 1e4;  // from which on views are wider than their names
     const Vector2d beyond = layout.size_at(far), growing = (layout.size_at(2 * far) - beyond) / far;
     const auto filling = [&](const Vector2d& fixed) {
-        return (room(paper) - fixed).cwiseQuotient(growing).minCoeff();
+        return (room_on(paper) - fixed).cwiseQuotient(growing).minCoeff();
     };
     const double scale = filling(beyond - far * growing);
-    const bool has_room = fits(layout.size_at((1 - 1e-9) * scale), paper);
-    return has_room ? scale : filling(layout.size_at(0));
+    const bool does_fit = fits(layout.size_at((1 - 1e-9) * scale), paper);
+    return does_fit ? scale : filling(layout.size_at(0));
 }
 
 /// For views without scale: as large as the paper allows, A4 if it is not given.
@@ -207,8 +207,8 @@ SheetLayout lay_out_at(Layout& layout, double scale, const Vector2d& upright,
                                largest_scale(layout, upright.reverse()).value_or(0));
     refuse("At the scale " + scale_text(scale) + " the views take " +
            in_digits(std::ceil(size.x())) + " x " + in_digits(std::ceil(size.y())) + " mm, and " +
-           upper(name) + " paper has room for " + in_digits(room(upright).x()) + " x " +
-           in_digits(room(upright).y()) + ". Take " +
+           upper(name) + " paper has room for " + in_digits(room_on(upright).x()) + " x " +
+           in_digits(room_on(upright).y()) + ". Take " +
            (best > 0 ? "the scale " + scale_text(best) + ", " : "") +
            "a larger paper, or the paper \"fit\".");
 }

@@ -19,7 +19,7 @@ constexpr double kCosineOfJoin = 0.9;        // of 26°; smaller turns are mitre
 constexpr double kJoinStep = 0.4;            // of the turn
 constexpr double kCoveredShare = 0.9;        // of the radius: edges of tapers are near wider places
 constexpr double kLeastRoundWidth = 0.1;     // mm; ends of thinner strokes are cut off
-constexpr double kHalfTurn = 3.141592653589793;
+constexpr double kPi = EIGEN_PI;
 
 // mm; as ISO 128 has it for this pen, nearly
 constexpr double kDash = 2, kShortestDashedLine = 3 * kDash;
@@ -130,8 +130,8 @@ void add_cap(const Vector2d& end, const Vector2d& way, double width, Points& out
     constexpr int points = 8;
     if (width < kLeastRoundWidth) return;
     for (int i = 1; i < points; ++i)
-        outline.push_back(end + Eigen::Rotation2Dd(-kHalfTurn * i / points) *
-                                    (width / 2 * right_of(way)));
+        outline.push_back(end +
+                          Eigen::Rotation2Dd(-kPi * i / points) * (width / 2 * right_of(way)));
 }
 
 Path tapered_stroke(const Spine& spine, bool closed) {

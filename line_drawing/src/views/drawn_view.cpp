@@ -32,7 +32,7 @@ double mean_width(const ViewLine& line) {
 LineClass class_of(const ViewLine& line) {
     if (line.is_hidden) return LineClass::Hidden;
     if (line.is_outline) return LineClass::Outline;
-    if (laplacian_lines::describe(line.kind).is_outline) return LineClass::Contour;
+    if (laplacian_lines::describe(line.kind).bounds_form) return LineClass::Contour;
     if (line.kind == LineKind::Crease) return LineClass::Edge;
     const bool is_faint = line.kind == LineKind::Laplacian && mean_width(line) < kFaintestInnerLine;
     return is_faint ? LineClass::Fine : LineClass::Inner;
