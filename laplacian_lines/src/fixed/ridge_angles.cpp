@@ -23,6 +23,8 @@ using Form = RidgeCandidates::Form;
 //  4. The clear part of the turn is A1 + A2 - 1.5 |A1 - A2|. From .3 of the turn on, all of it
 //     is the angle, below in proportion. Edges of details are measured likewise within 1 and 2 %
 //     of D; their angle counts a quarter.
+//  5. A groove turns back at its shoulders: of valleys, the largest turns to either side within 1 %
+//     of D count half, by the rule of 4. The ribs between grooves show by these.
 
 /// A width within which an edge turns, to each side, and which share of the turn counts.
 struct Scale {
@@ -36,10 +38,20 @@ constexpr float kReach = 0.04f;  // of a section, to each side
 constexpr float kStep = 0.003f;        // between the sections of a line
 constexpr float kMeanReach = 0.0075f;  // along the line, of the mean of sections
 
+// Of grooves.
+constexpr float kGrooveReach = 0.01f;  // to each side, D
+constexpr float kGrooveShare = 0.5f;   // of the turn
+
 // Weight of the difference of the sides against their sum.
 constexpr float kSkew = 1.5f;
 // Least clear share of the turn for all of it to count.
 constexpr float kClear = 0.3f;
+
+/// The part of the turn `all` that is an edge's, where `a` and `b` are clear on the two sides.
+float clear_angle(float a, float b, float all) {
+    const float clear = a + b - kSkew * std::abs(a - b);
+    return all > 0 ? all * std::clamp(clear / (kClear * all), 0.f, 1.f) : 0;
+}
 
 /// By how much the surface turns at a section, or at several on average, at one scale; degrees.
 struct Turn {
@@ -60,29 +72,32 @@ struct Turn {
 
     /// 0 where the surface turns evenly: far = 2 near.
     float edge_angle() const {
-        const float a = 2 * near[0] - far[0], b = 2 * near[1] - far[1];
-        const float clear = a + b - kSkew * std::abs(a - b), all = near[0] + near[1];
-        return all > 0 ? all * std::clamp(clear / (kClear * all), 0.f, 1.f) : 0;
+        return clear_angle(2 * near[0] - far[0], 2 * near[1] - far[1], near[0] + near[1]);
     }
 };
 
 /// The turns of a section, or of several on average.
 struct Turns {
     Turn at_scale[std::size(kScales)];
+    float groove = 0;  ///< its angle, degrees; 0 of ridges
 
     Turns() = default;
-    explicit Turns(const SectionProfile& profile) {
+    Turns(const SectionProfile& profile, Crest crest) {
         for (std::size_t k = 0; k < std::size(kScales); ++k)
             at_scale[k] = Turn(profile, kScales[k].near);
+        if (crest.sign > 0) return;
+        const float a = profile.largest_turn(-kGrooveReach), b = profile.largest_turn(kGrooveReach);
+        groove = clear_angle(a, b, a + b);
     }
 
     void add(const Turns& other, float share) {
         for (std::size_t k = 0; k < std::size(kScales); ++k)
             at_scale[k].add(other.at_scale[k], share);
+        groove += share * other.groove;
     }
 
     float edge_angle() const {
-        float angle = 0;
+        float angle = kGrooveShare * groove;
         for (std::size_t k = 0; k < std::size(kScales); ++k)
             angle = std::max(angle, kScales[k].share * at_scale[k].edge_angle());
         return angle;
@@ -94,15 +109,15 @@ class LineAngles {
 public:
     LineAngles(std::uint32_t count, const Form* forms) : count_(count), forms_(forms) {}
 
-    void measure(const Surface& surface, float sign) {
+    void measure(const Surface& surface, Crest crest) {
         measure_arc_lengths();
         choose_samples();
         const std::size_t n = samples_.size();
         turns_.resize(n);
         SectionProfile profile;
         for (std::size_t s = 0; s < n; ++s) {
-            profile.measure(surface, section(samples_[s]), sign, kReach);
-            turns_[s] = Turns(profile);
+            profile.measure(surface, section(samples_[s]), crest.sign, kReach);
+            turns_[s] = Turns(profile, crest);
         }
         angles_.resize(n);
         for (std::size_t s = 0; s < n; ++s)
@@ -179,7 +194,7 @@ void measure_ridge_angles(const Surface& surface, Crest crest, RidgeCandidates& 
     in_parallel(lines.lines.size(), [&](std::size_t number) {
         const Polyline& line = lines.lines[number];
         LineAngles angles(line.count, candidates.forms.data() + line.first);
-        angles.measure(surface, crest.sign);
+        angles.measure(surface, crest);
         angles.write(lines.points.data() + line.first);
     });
 }

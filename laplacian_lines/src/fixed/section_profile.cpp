@@ -105,6 +105,15 @@ void SectionProfile::measure(const Surface& surface, const Section& section, flo
     }
 }
 
+float SectionProfile::largest_turn(float distance) const {
+    const float side = distance < 0 ? -1.f : 1.f;
+    float largest = std::max(0.f, side * angle(distance));
+    for (const Place& place : places_)
+        if (side * place.distance > 0 && side * place.distance < side * distance)
+            largest = std::max(largest, side * place.angle);
+    return largest;
+}
+
 float SectionProfile::angle(float distance) const {
     const auto after =
         std::lower_bound(places_.begin(), places_.end(), distance,

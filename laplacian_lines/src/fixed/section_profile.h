@@ -27,6 +27,10 @@ public:
     /// Constant beyond the ends of the section.
     float angle(float distance) const;
 
+    /// The largest turn on the way there: angle() up to `distance`, or −angle() if that is
+    /// negative; 0 or more.
+    float largest_turn(float distance) const;
+
 private:
     struct Place {
         float distance, angle;
