@@ -76,6 +76,20 @@ TEST(Orientation, CavitiesStay) {
     EXPECT_GT(facing(precompute(beside), beside, {4, 2, 3}, 0, 1.1), 0.99);
 }
 
+TEST(Orientation, IsThatOfMostTriangles) {
+    const TriangleMesh cavity = inside_out(icosphere(2));
+    TriangleMesh mesh = cavity;
+    append(mesh, moved(icosphere(2), {0, 0, 0}, 2));
+    for (const std::size_t first : {std::size_t(0), cavity.triangles.size()}) {
+        TriangleMesh other = mesh;
+        std::swap(other.triangles[first][1], other.triangles[first][2]);
+        const Field field = precompute(other);
+        EXPECT_EQ(field.report.flipped_triangles, 1u);
+        EXPECT_LT(facing(field, other, {0, 0, 0}, 0, 1.5), -0.99);
+        EXPECT_GT(facing(field, other, {0, 0, 0}, 1.5, 3), 0.99);
+    }
+}
+
 /// Two cubes with as many vertices in common as are at one place.
 TriangleMesh touching_cubes(const Eigen::Vector3d& by, double size) {
     TriangleMesh mesh = cube(1);
