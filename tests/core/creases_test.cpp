@@ -171,6 +171,21 @@ TEST(Creases, AreWeakEdgesBetweenFlatterForms) {
     }
 }
 
+/// However small: the walls of a twisted box are bent along their diagonals, which are no creases.
+TEST(Creases, DoNotDependOnOtherBodies) {
+    const TriangleMesh twisted = joined({circle(4, 1, 0), circle(4, 1, 1.5, 0.2)});
+    TriangleMesh mesh = twisted;
+    test_meshes::append(mesh, test_meshes::moved(test_meshes::cube(1), {-100, 0, 0}, 50));
+    EXPECT_EQ(edges_of(mesh, creases_of(mesh)).size(), 24u);
+}
+
+/// A flat roof of three faces is no arc.
+TEST(Creases, AreTheEdgesOfRoofs) {
+    const TriangleMesh house =
+        prism({{-1, 0}, {1, 0}, {1, 1.2}, {0.35, 1.73}, {-0.35, 1.73}, {-1, 1.2}}, 4);
+    EXPECT_EQ(edges_along(house, creases_of(house)), 6u);
+}
+
 /// Facets turn again and again: however coarse, of cylinders, cones and tori.
 TEST(Creases, AreNoFacets) {
     for (const std::uint32_t sides : {10u, 11u, 16u, 30u, 64u}) {

@@ -275,12 +275,12 @@ TEST(Overlaps, ALineStaysBetweenThoseThatItDoubles) {
 TEST(Overlaps, EdgesDoNotGoPastTheirCorners) {
     std::vector<DrawnLine> lines = {line(LineClass::Contour, {{0, 0}, {0, 10.05}}),
                                     line(LineClass::Contour, {{-9, 10}, {0, 10}})};
-    join_loose_ends(lines, {}, kDoubleReach);
+    join_edges(lines, {}, kDoubleReach);
     EXPECT_EQ(lines[0].points.back().position, Eigen::Vector2d(0, 10));
     EXPECT_EQ(lines[0].points.size(), 2u) << "without a way back";
     lines = {line(LineClass::Edge, {{-9, 0}, {0.04, 0.1}}),
              line(LineClass::Edge, {{0, 0}, {9, -0.1}})};
-    join_loose_ends(lines, {}, kDoubleReach);
+    join_edges(lines, {}, kDoubleReach);
     EXPECT_EQ(lines[0].points.back().position, lines[1].points.front().position);
 }
 

@@ -13,9 +13,9 @@ constexpr int kMostTriangles = 40;  // of a walk
 constexpr float kWithinFacet = 0.25f, kMeasurable = 0.5f;
 // Facets of one face are alike: curvatures and widths from one to the next differ less.
 constexpr float kAlike = 3;
-// Least angle in degrees at which three facets between two edges are an arc. Flanks of teeth, which
-// are modelled by a few flat faces, turn less; arcs that turn less are given more facets.
-constexpr float kArcOfThree = 12;
+// Degrees at which three facets between two edges are an arc. Flanks of teeth, which are modelled
+// by a few flat faces, turn less, and arcs that do are given more facets; flat roofs turn more.
+constexpr float kLeastOfThree = 12, kMostOfThree = 31;
 
 bool are_alike(float a, float b) {
     return a <= kAlike * b && b <= kAlike * a;
@@ -166,8 +166,8 @@ private:
             goes_back = is_arc_ || beyond > curvature_;
         } else {
             const float width = second.centre - edge, own = edge - half_;
-            is_arc_ = of_three_ && walk_.end() != FacetWalk::End::None && angle >= kArcOfThree &&
-                      are_alike(width, own);
+            is_arc_ = of_three_ && walk_.end() != FacetWalk::End::None && angle >= kLeastOfThree &&
+                      angle <= kMostOfThree && are_alike(width, own);
             goes_back = width <= kAlike * own;
         }
         if (!goes_back) last_curvature_ = turn / least_distance(edge - half_);

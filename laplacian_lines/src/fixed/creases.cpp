@@ -19,9 +19,8 @@ namespace laplacian_lines {
 namespace {
 
 constexpr float kShortNet = 3;  // shortest lines; a bad place of a scan may have some edges
-// Where triangles are as large as the radius of a rounded edge, some edges are as sharp as creases,
-// in zigzags with gaps: ridges show these better. So are single folds of a scan.
-constexpr float kRaggedPiece = 0.015f;        // D; longer ones but of scans are those of a form
+// Where triangles of a scan are as large as the radius of a rounded edge, some edges are as sharp
+// as creases, in zigzags with gaps: ridges show these better. So are single folds.
 constexpr std::uint32_t kPiecesOfAFault = 6;  // fewer per fault are ragged
 
 /// The creases that a style draws, joined to lines.
@@ -41,8 +40,7 @@ struct CreaseNet {
 
     /// Small holes of designs are, but no few edges of a scan.
     bool is_drawn(float shortest_line, const CreaseEdges& found) const {
-        const bool is_ragged = pieces < kPiecesOfAFault * faults &&
-                               (found.is_scan || length < kRaggedPiece * float(pieces));
+        const bool is_ragged = found.is_scan && pieces < kPiecesOfAFault * faults;
         return !is_ragged &&
                ((found.is_design && faults == 0) || length >= kShortNet * shortest_line);
     }

@@ -230,7 +230,7 @@ std::vector<DrawnLine> without_doubles(std::vector<DrawnLine> lines, double reac
         rest.insert(rest.end(), parts.begin(), dropped);
         left_out.insert(left_out.end(), dropped, parts.end());
     }
-    join_loose_ends(rest, left_out, reach);
+    join_edges(rest, left_out, reach);
     return without_equal(rest, reach);
 }
 

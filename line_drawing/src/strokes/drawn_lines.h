@@ -83,7 +83,7 @@ private:
     template <class Test>
     bool any_piece_near(const Eigen::Vector2d& point, double within, Test test) const;
 
-    const double reach_;
+    double reach_;
     std::unordered_map<Cell, std::vector<Piece>> pieces_;  // in squares as wide as the reach
 };
 

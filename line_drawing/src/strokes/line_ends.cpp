@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Ends of inner lines: hooks go, what heads for another line is led to it, the others become
+// points.
 #include "strokes/strokes.h"
 
 #include <algorithm>
-#include <array>
 
 #include "strokes/drawn_lines.h"
 #include "strokes/refining.h"
@@ -11,116 +12,6 @@ namespace line_drawing {
 namespace {
 
 using Eigen::Vector2d;
-
-/// Whether a line may not move: an edge of the form, or a contour, which has been smoothed.
-bool is_edge(const DrawnLine& line) {
-    return line.line_class < LineClass::Inner && is_fixed(line);
-}
-
-class EndJoining {
-public:
-    EndJoining(std::vector<DrawnLine>& lines, double reach)
-        : lines_(lines), reach_(reach), all_(all_of(lines, reach)) {}
-
-    void bring_back(const std::vector<DrawnLine>& left_out) {
-        DrawnLines loose(reach_);
-        for (std::size_t i = 0; i < lines_.size(); ++i)
-            for (const Vector2d& end : loose_ends(i))
-                loose.add({end, end + Vector2d(kSameReach * reach_, 0)}, i);
-        for (const DrawnLine& line : left_out)
-            if (bridges(line, loose)) {
-                all_.add(positions_of(line), lines_.size());
-                lines_.push_back(line);
-            }
-    }
-
-    void lead() {
-        for (std::size_t i = 0; i < lines_.size(); ++i)
-            for (const Vector2d& end : loose_ends(i))
-                if (const auto place = all_.nearest_on(end, i, kBesideReach * reach_)) {
-                    const Vector2d to = loose_end_near(*place, end).value_or(place->position);
-                    if (!runs_back(i, end, to) ||
-                        (is_edge(lines_[i]) && is_long(i) && !shorten(i, end, to)))
-                        extend(i, end, to);
-                }
-    }
-
-private:
-    bool is_loose(std::size_t line, const Vector2d& end) const {
-        return !all_.is_near(end, line, kSameReach * reach_);
-    }
-
-    /// Outlines are closed; sections may end where the surface does.
-    std::vector<Vector2d> loose_ends(std::size_t i) const {
-        const DrawnLine& line = lines_[i];
-        std::vector<Vector2d> ends;
-        if (line.closed || line.line_class == LineClass::Section) return ends;
-        for (const DrawnPoint& end : {line.points.front(), line.points.back()})
-            if (is_loose(i, end.position)) ends.push_back(end.position);
-        return ends;
-    }
-
-    /// Whether a line leads from a loose end to another line.
-    bool bridges(const DrawnLine& line, const DrawnLines& loose) const {
-        const std::array<Vector2d, 2> ends = {line.points.front().position,
-                                              line.points.back().position};
-        for (int k = 0; k < 2; ++k) {
-            const auto from = loose.nearest_on(ends[k], none, 2 * kSameReach * reach_);
-            if (from && is_loose(from->line, from->position) &&
-                all_.is_near(ends[1 - k], from->line, kBesideReach * reach_))
-                return true;
-        }
-        return false;
-    }
-
-    /// A shorter line would vanish in the piece that joins it.
-    bool is_long(std::size_t i) const {
-        return length_of(lines_[i].points) > 2 * kBesideReach * reach_;
-    }
-
-    /// The line's own loose end near a place: one piece then joins both.
-    std::optional<Vector2d> loose_end_near(const DrawnLines::Place& place,
-                                           const Vector2d& from) const {
-        for (const Vector2d& end : loose_ends(place.line))
-            if ((end - from).norm() < kBesideReach * reach_) return end;
-        return {};
-    }
-
-    /// Cuts the line back to a line that it has passed, if that leaves no white. Whether it did.
-    bool shorten(std::size_t i, const Vector2d& end, const Vector2d& to) {
-        std::vector<DrawnPoint>& points = lines_[i].points;
-        const bool is_first = points.front().position == end;
-        const Vector2d way = end - (is_first ? points[1] : points[points.size() - 2]).position;
-        const Vector2d past = end - to;
-        const double share = past.dot(way) / way.squaredNorm();
-        if (!(share > 0 && share < 1) || (past - share * way).norm() > kSameReach * reach_)
-            return false;
-        (is_first ? points.front() : points.back()).position = to;
-        return true;
-    }
-
-    /// Whether the line's own stroke is there already.
-    bool runs_back(std::size_t i, const Vector2d& end, const Vector2d& to) const {
-        const std::vector<DrawnPoint>& points = lines_[i].points;
-        const bool is_first = points.front().position == end;
-        const Vector2d before = (is_first ? points[1] : points[points.size() - 2]).position;
-        return (to - end).normalized().dot((end - before).normalized()) < kReversal;
-    }
-
-    void extend(std::size_t i, const Vector2d& end, const Vector2d& to) {
-        std::vector<DrawnPoint>& points = lines_[i].points;
-        const bool is_first = points.front().position == end;
-        DrawnPoint point = is_first ? points.front() : points.back();
-        point = {to, point.weight, laplacian_lines::kNoNode, true, false, point.origin};
-        points.insert(is_first ? points.begin() : points.end(), point);
-        all_.add({end, to}, i);
-    }
-
-    static constexpr std::size_t none = std::size_t(-1);
-    std::vector<DrawnLine>& lines_;
-    const double reach_;
-    DrawnLines all_;
-};
 
 // of inner lines, in pens
 constexpr double kLongestHook = 6;  // 1.5 √h
@@ -178,13 +69,6 @@ std::size_t begin_of_hook(const std::vector<DrawnPoint>& points, double pen) {
 }
 
 }  // namespace
-
-void join_loose_ends(std::vector<DrawnLine>& lines, const std::vector<DrawnLine>& left_out,
-                     double reach) {
-    EndJoining joining(lines, reach);
-    joining.bring_back(left_out);
-    joining.lead();
-}
 
 void cut_hooks(std::vector<DrawnLine>& lines, double pen) {
     const DrawnLines all = all_of(lines, pen);
@@ -245,8 +129,10 @@ std::vector<MetEnd> join_ends(std::vector<DrawnLine>& lines, double pen) {
                 const Vector2d outwards = outwards_at(points, is_last, kDirectionReach * pen);
                 if (end.weight < kLeastWeight || outwards.dot(way) < kLeadCosine * way.norm())
                     continue;
-                points.insert(is_last ? points.end() : points.begin(),
-                              {place->position, end.weight, end.node, false, false, end.origin});
+                DrawnPoint lead = end;
+                lead.position = place->position;
+                lead.is_exact = lead.is_smoothed = false;
+                points.insert(is_last ? points.end() : points.begin(), lead);
             }
             met.push_back({i, is_last, place->line});
         }

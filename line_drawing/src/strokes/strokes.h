@@ -14,11 +14,11 @@ namespace line_drawing {
 /// nothing. Outlines stay.
 std::vector<DrawnLine> without_specks(std::vector<DrawnLine> lines, const SheetOptions& options);
 
-/// Joins ends that have lost the line they met: by `left_out` short lines that lead on to another,
-/// else by a straight piece; an edge that has passed another ends there. Other ends stay, since
-/// lines may meet them. `reach`: of what doubles a line.
-void join_loose_ends(std::vector<DrawnLine>& lines, const std::vector<DrawnLine>& left_out,
-                     double reach);
+/// Joins ends, of at least two points, that have lost the line they met: by `left_out` short lines
+/// that lead on to another, else by a straight piece; an edge that has passed another ends there.
+/// Other ends stay, since lines may meet them. `reach`: of what doubles a line.
+void join_edges(std::vector<DrawnLine>& lines, const std::vector<DrawnLine>& left_out,
+                double reach);
 
 /// Removes parts of lines that only double others, in the sheet's coordinates: of lower classes
 /// along higher ones (sections first), in a class along longer ones; also jogs, and short lines
