@@ -23,19 +23,43 @@ GLsizeiptr bytes(std::size_t points) {
     return GLsizeiptr(points * sizeof(StreamPoint));
 }
 
+/// Binds, at its end, the buffer that was bound before.
+class KeptBinding {
+public:
+    KeptBinding() { glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bound_); }
+    ~KeptBinding() { glBindBuffer(GL_ARRAY_BUFFER, GLuint(bound_)); }
+    KeptBinding(const KeptBinding&) = delete;
+    KeptBinding& operator=(const KeptBinding&) = delete;
+
+private:
+    GLint bound_ = 0;
+};
+
 }  // namespace
 
 LineBuffers::LineBuffers() {
     constexpr float corners[] = {0, -1, 1, -1, 0, 1, 1, 1};  // a triangle strip
-    GLint bound = 0;
-    glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bound);
+    const KeptBinding binding;
     glGenBuffers(1, &corners_);
     glGenBuffers(1, &stream_);
     glBindBuffer(GL_ARRAY_BUFFER, corners_);
     glBufferData(GL_ARRAY_BUFFER, sizeof corners, corners, GL_STATIC_DRAW);
-    glBindBuffer(GL_ARRAY_BUFFER, GLuint(bound));
 }
 
+bool LineBuffers::fill(std::size_t points, const std::function<void(StreamPoint*)>& write) {
+    const KeptBinding binding;
+    StreamPoint* const stream = map(points);
+    if (!stream) return false;
+    try {
+        write(stream);
+    } catch (...) {
+        unmap();
+        throw;
+    }
+    return unmap();
+}
+
+/// Null if there is no memory.
 StreamPoint* LineBuffers::map(std::size_t points) {
     const bool has_ranges = gl_features().buffer_ranges;
     glBindBuffer(GL_ARRAY_BUFFER, stream_);
@@ -51,6 +75,7 @@ StreamPoint* LineBuffers::map(std::size_t points) {
     return static_cast<StreamPoint*>(memory);
 }
 
+/// False if the points were lost.
 bool LineBuffers::unmap() {
     const bool is_kept = glUnmapBuffer(GL_ARRAY_BUFFER);
     if (!is_kept) capacity_ = 0;

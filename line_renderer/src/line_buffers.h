@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "gl_functions.h"
@@ -21,11 +22,9 @@ class LineBuffers {
 public:
     LineBuffers();
 
-    /// Room for so many points, at least 1, until unmapped; null if there is no memory. The buffer
-    /// stays bound.
-    StreamPoint* map(std::size_t points);
-    /// False if the points were lost.
-    bool unmap();
+    /// Has `write` fill memory for so many points, at least 1. False if there is none, or if OpenGL
+    /// has lost them.
+    bool fill(std::size_t points, const std::function<void(StreamPoint*)>& write);
 
     /// Feeds the points from `first` on to the program, segment by segment.
     void bind(std::size_t first) const;
@@ -33,6 +32,9 @@ public:
     static void unbind();
 
 private:
+    StreamPoint* map(std::size_t points);
+    bool unmap();
+
     GLuint corners_ = 0;
     GLuint stream_ = 0;
     std::size_t capacity_ = 0;  ///< points that the stream has room for

@@ -23,12 +23,8 @@ namespace {
 /// an outline's width, which hides the parts below it.
 constexpr double kToSide = 1.5;
 
-/// The same for lines along mesh edges, where the pixel's centre may be beyond the edge. And the
-/// most pixels by which such an edge is moved towards the eye: the rise, over that distance, of a
-/// surface that leans by 70 degrees, such as the ground.
-constexpr double kEdgeSide = 0.7072;
-constexpr double kEdgeMove = 4;
-constexpr double kUnlimited = 1e6;
+/// Half a pixel's diagonal.
+constexpr double kHalfDiagonal = 0.7072;
 
 /// Hidden lines: length of a dash and its period, pixels.
 constexpr double kDashPixels = 5;
@@ -75,25 +71,15 @@ void set_depth_biases(const ShaderProgram& program, const LinePlacement& placeme
     program.set("depth_biases", biases);
 }
 
-/// Sets how far beside a line depths are compared; beside mesh edges the same, unless they are
-/// exact.
-void set_reach(const ShaderProgram& program, const LinePlacement& placement, bool is_exact) {
-    const double pixels = kToSide * placement.pixel_scale;
-    const Eigen::Vector2d at_edges(is_exact ? kEdgeMove : kUnlimited,
-                                   is_exact ? kEdgeSide : pixels);
-    program.set("to_side", float(pixels));
-    program.set("edge_reach", Eigen::Vector2f(at_edges.cast<float>()));
-}
-
-/// For both seen and hidden lines.
+/// For both seen and hidden lines; binds the depths' texture.
 void set_placement(const ShaderProgram& program, const LinePlacement& placement, double radius) {
     program.set("to_eye", Eigen::Matrix4f(placement.to_eye.cast<float>()));
     program.set("projection", Eigen::Matrix4f(placement.projection.cast<float>()));
     program.set("half_viewport", half_viewport());
-    // A mark's corner at the far side of a line. If another layer has marks, the faces of this one
-    // are in the texture and in the depth buffer, which must not hide a line's inner half.
+    // A mark's corner at the far side of a line. The depth buffer has the marks and the faces
+    // around them; the texture has no marks, and is enough where it is complete.
     const double to_horizon =
-        placement.depths.is_complete ? 0 : 0.71 * placement.mark_pixels + radius;
+        placement.depths.is_complete ? 0 : kHalfDiagonal * placement.mark_pixels + radius;
     program.set("mark_reach",
                 float(placement.diagonal * mean_scale(placement.to_eye) * to_horizon));
     glBindTexture(GL_TEXTURE_2D, placement.depths.id);
@@ -145,7 +131,8 @@ void LineRenderer::draw_pass(const Objects& objects, const LinePlacement& placem
     glDepthFunc(placement.depths.is_complete ? GL_ALWAYS : pass.depth_function);
     program.set("surface_side", pass.surface_side);
     set_depth_biases(program, placement, pass.bias_factor);
-    set_reach(program, placement, pass.sees_edges_exactly);
+    program.set("to_side", float(kToSide * placement.pixel_scale));
+    program.set("exact_edges", int(pass.sees_edges_exactly));
     const double dash_scale = pass.is_dashed ? placement.pixel_scale : 0;
     program.set("dash",
                 Eigen::Vector2f(float(dash_scale * kDashPixels), float(dash_scale * kDashPeriod)));
@@ -153,6 +140,7 @@ void LineRenderer::draw_pass(const Objects& objects, const LinePlacement& placem
     for (const StreamPart& part : parts_) {
         if (part.length == 0) continue;
         objects.buffers.bind(part.first);
+        // of four corners; a segment has a point before it and one after
         draw_instanced(GL_TRIANGLE_STRIP, 4, GLsizei(part.length) - 3);
     }
     clock.count(RedrawClock::Drawing);
@@ -176,23 +164,20 @@ void LineRenderer::draw_hidden(const Objects& objects, const LineAppearance& app
 
 void LineRenderer::upload(const laplacian_lines::LineSet& lines, const LineAppearance& appearance,
                           const LinePlacement& placement) {
+    std::vector<StreamPart> parts = std::move(parts_);  // to keep its memory
     parts_.clear();
     origin_ = lines.origin;
     LineBuffers& buffers = objects_->current(make_objects).buffers;
     const std::size_t most = stream_length(lines);
     if (most == 0) return;
 
-    GLint bound = 0;
-    glGetIntegerv(GL_ARRAY_BUFFER_BINDING, &bound);
-    if (StreamPoint* stream = buffers.map(most)) {
-        const StreamSettings settings =
-            stream_settings(appearance, relative_to(origin_, placement), half_viewport());
-        write_stream(lines, settings, stream, parts_);
-        if (!buffers.unmap()) parts_.clear();
-    }
-    glBindBuffer(GL_ARRAY_BUFFER, GLuint(bound));
-    if (parts_.empty())
+    const StreamSettings settings =
+        stream_settings(appearance, relative_to(origin_, placement), half_viewport());
+    const bool is_there = buffers.fill(
+        most, [&](StreamPoint* stream) { write_stream(lines, settings, stream, parts); });
+    if (!is_there)
         throw std::runtime_error("Lines cannot be drawn: OpenGL has no memory for them.");
+    parts_ = std::move(parts);
 }
 
 void LineRenderer::draw(const LineAppearance& appearance, const LinePlacement& placement,

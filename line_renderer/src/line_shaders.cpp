@@ -43,8 +43,8 @@ uniform float shares_within[16];  // of the radius, where there is a surface on 
 uniform sampler2D surface_depth;
 uniform vec2 texel;   // of surface_depth for a pixel
 uniform vec4 pixels;  // middles of the viewport's first and last pixel
-uniform float to_side;     // pixels
-uniform vec2 edge_reach;  // of what follows edges: greatest move and to the side, pixels
+uniform float to_side;    // pixels
+uniform bool exact_edges;  // lines that are seen: what follows edges of the mesh is exact
 uniform float mark_reach;  // diameter of the largest ball times pixels to its horizon
 varying vec2 place;  // pixels along and across, from the start of the segment
 varying vec4 shape;  // length, radius at the start, at the end, to the sides of depths; pixels
@@ -58,7 +58,11 @@ varying vec4 middle;  // direction on the screen, depths in 0..1 at the start an
 const float nothing_here = -1.5;  // radii below this mark points that still have a position
 const float edge_mark = 0.25;
 const float away_mark = 0.4;
-const float unlimited = 1e6;
+// Of what follows edges, pixels: to the side as far as a pixel's centre may be beyond the edge; and
+// the greatest move to the eye, the rise over to_side of a surface that leans by 70 degrees, such as
+// the ground.
+const float edge_side = 0.7072;
+const float edge_move = 4.0;
 
 vec4 in_eye(vec4 point)
 {
@@ -134,8 +138,8 @@ vec2 cut_at(vec4 neighbour, vec4 other, float end_before, vec2 direction, vec2 o
 // In 0..1, of a point of the line.
 float line_depth(vec4 eye, float bias, bool is_edge)
 {
-    float most = is_edge ? edge_reach.x : unlimited;
-    return 0.5 * moved_depth(eye, min(bias, most * pixel_at(eye))) + 0.5;
+    float move = is_edge && exact_edges ? min(bias, edge_move * pixel_at(eye)) : bias;
+    return 0.5 * moved_depth(eye, move) + 0.5;
 }
 
 void main()
@@ -154,7 +158,7 @@ void main()
     middle = vec4(0.0);
     if (start.w < 0.0 || end.w < 0.0)
         return;
-    if (faces_away && edge_reach.x < unlimited)  // hidden lines are not what is drawn
+    if (faces_away && exact_edges)
         return;
 
     // 1. eye and screen
@@ -184,7 +188,7 @@ void main()
                       radius_at(screen_b, across, end.w, shares_within[look]));
     float reach = max(radii.x, radii.y) + 0.55;  // half a pixel beyond it, coverage is 0
     place = vec2(corner.x * extent + (2.0 * corner.x - 1.0) * reach, corner.y * reach);
-    shape = vec4(extent, radii, is_edge ? edge_reach.y : to_side);
+    shape = vec4(extent, radii, is_edge && exact_edges ? edge_side : to_side);
     vec2 screen = screen_a + direction * place.x + across * place.y;
 
     // 4. depths; w = 1 keeps the interpolation linear on the screen

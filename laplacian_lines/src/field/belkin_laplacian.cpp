@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Eq. 2 of the paper at every vertex,
+// Eq. 2 of Laplacian Lines (Zhang, He, Seah) at every vertex,
 //     Δn(p) = 1/(4πh²) Σ_q m_q exp(−‖q − p‖²/4h) (n_q − n_p):
-//  1. Cut the sum off where what is left of it is the accuracy asked for.
-//  2. Take the cheaper way to sum: directly, or on a grid (sums/gaussian_sums.h).
+//  1. Find where a direct sum may be cut off: where what is left of it is the accuracy asked for.
+//  2. Take the cheaper way to sum: so, or on a grid (sums/gaussian_sums.h).
 //  3. Make up for the part that was cut off, and for what the kernel lacks beyond a border.
 #include "field/field_steps.h"
 
@@ -17,7 +17,7 @@ namespace laplacian_lines {
 namespace {
 
 constexpr double kPi = EIGEN_PI;
-constexpr double kQuickAccuracy = 0.5e-3;  // least accuracy for which quick Gaussians will do
+constexpr double kQuickAccuracy = 5e-4;  // from this relative error on, quick Gaussians will do
 // Share of the kernel's mass that is on the surface; less is only at the tip of a border's corner.
 constexpr double kLeastKernelMass = 0.2;
 
@@ -26,8 +26,8 @@ double tail(double u) {
     return (1 + u) * std::exp(-u);
 }
 
-/// RMS of √h|S|, as grid_resolution() takes it.
-double roughness(double kernel_size, const ShapeOperators& shape_operators) {
+/// RMS of √h‖S‖: by how much the normal turns within √h.
+double normal_turn(double kernel_size, const ShapeOperators& shape_operators) {
     const std::size_t count = shape_operators.size();
     return kernel_size *
            std::sqrt(
@@ -45,15 +45,15 @@ double cutoff_of(double accuracy) {
     return 2 * std::sqrt(high);
 }
 
-/// Δn at a vertex with the normal n and shape operator S, from a kernel that lacks its part beyond
-/// a border. `moment` is Σ w (q − p), of the factor that Δn has; `mass` the share of the kernel
-/// that is there.
+/// Δn at a vertex with the normal n and shape operator S, where the kernel lacks its part beyond a
+/// border. `sum` is Δn without correction, `moment` the sum that has q − p for n_q − n_p, and
+/// `mass` the share of the kernel that is on the surface.
 Eigen::Vector3d corrected(const Eigen::Vector3d& sum, const Eigen::Vector3d& n,
                           const SymmetricTensor& s, double h, const Eigen::Vector3d& moment,
                           double mass) {
-    // A kernel that is asymmetric around p has a first moment along the surface, which S turns into
-    // a term that is no curvature's. It fades where the normal turns by more than a radian within
-    // √h, since n_q − n_p = S (q − p) does not hold there.
+    // To first order n_q − n_p = S (q − p): a kernel with a first moment along the surface adds S
+    // times that, which is taken away; less of it where the normal turns by more than a radian
+    // within √h and the first order is not enough.
     const double trust = 1 / (1 + h * s.squaredNorm());
     const Eigen::Vector3d centred = sum - trust * (s * (moment - n * n.dot(moment)));
     // What the missing share would have added is made up for along n alone: that also halves the
@@ -75,7 +75,7 @@ std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const Sp
     kernel.cutoff = cutoff_of(options.accuracy - (kernel.quick ? kQuickError : 0));
     kernel.facing = options.skip_opposite_sheet;
     const GridResolution resolution =
-        grid_resolution(options.accuracy, roughness(kernel_size, shape_operators));
+        grid_resolution(options.accuracy, normal_turn(kernel_size, shape_operators));
     const SummationCosts costs = summation_costs(mesh, tree, kernel, resolution);
     refuse_costly_sum(std::min(costs.direct, costs.grid),
                       "Merge close vertices, or choose a larger Kernel Size.");

@@ -8,14 +8,16 @@ namespace laplacian_lines {
 namespace {
 
 constexpr int kMostTriangles = 40;  // of a walk
+constexpr int kMostAtCorner = 256;  // of a vertex; rims of disks have corners of many
 // Shares of the edge's angle: bends up to the first are within a facet, from the second on a
 // curvature can be measured.
 constexpr float kWithinFacet = 0.25f, kMeasurable = 0.5f;
 // Facets of one face are alike: curvatures and widths from one to the next differ less.
 constexpr float kAlike = 3;
 // Degrees at which three facets between two edges are an arc. Flanks of teeth, which are modelled
-// by a few flat faces, turn less, and arcs that do are given more facets; flat roofs turn more.
-constexpr float kLeastOfThree = 12, kMostOfThree = 31;
+// by a few flat faces, turn less, and arcs that do are given more facets. Flat roofs turn more,
+// arcs hardly, see kEdgeAngle.
+constexpr float kLeastOfThree = 12, kMostOfThree = 35;
 
 bool are_alike(float a, float b) {
     return a <= kAlike * b && b <= kAlike * a;
@@ -26,7 +28,7 @@ bool are_alike(float a, float b) {
 bool is_corner(const Surface& surface, std::uint32_t side, std::uint32_t end, float least) {
     int edges = 0, sharp = 0;
     std::uint32_t at = side;
-    for (int i = 0; i < kMostTriangles; ++i) {
+    for (int i = 0; i < kMostAtCorner; ++i) {
         // the other side there
         at = surface.begin(at) == end ? previous_side(at) : next_side(at);
         if (!surface.has_neighbour(at)) return false;
@@ -77,7 +79,8 @@ public:
             area += walk_.area();
             moment += walk_.area() * walk_.centre();
             facet.is_flat = facet.is_flat || walk_.has_side_within(least_);
-            facet.bends_back = count_++ == 0 && has_side_bent_back();
+            ++count_;
+            facet.bends_back = count_ == 1 && has_side_bent_back();  // false again of two triangles
             if (ends_facet(facet)) break;
             walk_.advance();
         }
@@ -97,7 +100,10 @@ private:
                          : walk_.has_side_between(least, kEdgeAngle);
     }
     bool ends_facet(Facet& facet) {
-        if (walk_.continues_within(least_)) return is_over_ = count_ == kMostTriangles;
+        if (walk_.continues_within(least_)) {
+            is_over_ = count_ == kMostTriangles;
+            return is_over_;
+        }
         const float turn = walk_.is_at_border() ? 0 : sign_ * walk_.turn();
         if (walk_.is_at_border() || std::abs(walk_.angle()) >= kEdgeAngle)
             end_ = End::Edge;
@@ -128,55 +134,63 @@ public:
         if (!walk_.next(facet)) return;
         half_ = facet.centre;
         is_flat_ = facet.is_flat || (walk_.end() == FacetWalk::End::Edge && !facet.bends_back);
-        float turn = 0;
-        if (!advance(facet, turn)) return;
-        curvature_ = turn / least_distance(facet.centre - half_);
-        const float edge = last_end_;
-        judge_beyond(facet, turn, edge, std::abs(angle));
+        Bend first;
+        if (!advance(facet, first)) return;
+        curvature_ = first.turn / least_distance(facet.centre - half_);
+        judge_beyond(facet, first, std::abs(angle));
     }
 
     float half() const { return half_; }            ///< from the edge to the first facet's centre
     float curvature() const { return curvature_; }  ///< beyond the first facet; 0: none
     bool is_arc() const { return is_arc_; }         ///< the surface beyond is curved like this
-    /// Curvature of an arc that ends, tangentially, at the first facet's far edge; 0: no arc.
+    /// Curvature of a fillet that ends, tangentially, with the first bend; 0: none does.
     float last_curvature() const { return last_curvature_; }
     bool is_clear() const { return is_flat_ || is_arc_ || last_curvature_ > 0; }
 
 private:
-    static float least_distance(float distance) { return std::max(distance, 1e-12f); }
+    /// Successive edges at which the surface turns.
+    struct Bend {
+        float turn = 0;  ///< degrees
+        float end = 0;   ///< the last of them, along the path
+    };
+
+    static float least_distance(float distance) { return std::max(distance, 1e-12f); }  // not 0
 
     /// Advances until the surface has turned enough to measure a curvature.
-    bool advance(Facet& facet, float& turn) {
-        while (turn < telling_) {
+    bool advance(Facet& facet, Bend& bend) {
+        while (bend.turn < telling_) {
             if (!(facet.turn > 0)) return false;
-            turn += facet.turn;
-            last_end_ = facet.end;
+            bend.turn += facet.turn;
+            bend.end = facet.end;
             if (!walk_.next(facet)) return false;
         }
         return true;
     }
 
-    void judge_beyond(Facet facet, float turn, float edge, float angle) {
-        const Facet second = facet;
-        float more = 0;
-        bool goes_back = false;
-        if (advance(facet, more)) {
-            const float beyond = more / least_distance(facet.centre - second.centre);
+    /// Compares the first bend with the surface behind it, which begins with `facet`. If that is
+    /// curved likewise, both are an arc. If it is not, is not more curved either, and its facets
+    /// are wider than the first one, a fillet ends with the bend.
+    void judge_beyond(Facet facet, const Bend& first, float angle) {
+        const float behind = facet.centre;
+        Bend next;
+        bool is_end = true;
+        if (advance(facet, next)) {
+            const float beyond = next.turn / least_distance(facet.centre - behind);
             is_arc_ = are_alike(beyond, curvature_);
-            goes_back = is_arc_ || beyond > curvature_;
+            is_end = !is_arc_ && !(beyond > curvature_);
         } else {
-            const float width = second.centre - edge, own = edge - half_;
+            const float width = behind - first.end, own = first.end - half_;
             is_arc_ = of_three_ && walk_.end() != FacetWalk::End::None && angle >= kLeastOfThree &&
                       angle <= kMostOfThree && are_alike(width, own);
-            goes_back = width <= kAlike * own;
+            is_end = !(width <= kAlike * own);
         }
-        if (!goes_back) last_curvature_ = turn / least_distance(edge - half_);
+        if (is_end) last_curvature_ = first.turn / least_distance(first.end - half_);
     }
 
     FacetWalk walk_;
     const float telling_;
     const bool of_three_;  // whether it may be an arc of three facets
-    float half_ = 0, curvature_ = 0, last_curvature_ = 0, last_end_ = 0;
+    float half_ = 0, curvature_ = 0, last_curvature_ = 0;
     bool is_arc_ = false, is_flat_ = false;
 };
 

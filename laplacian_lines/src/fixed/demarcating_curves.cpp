@@ -125,8 +125,8 @@ ZeroLines find_demarcating_curves(const ExtractorData& data) {
     if (data.curvatures.empty()) return {};
     ZeroLines found =
         find_zero_lines<ClusterCurves>(data, LineKind::DemarcatingCurve, kLeastLength);
-    for (std::size_t i = 0; i < found.forms.size(); ++i)
-        found.lines.points[i].gradient = found.forms[i].value * float(data.squared_scale);
+    for (std::size_t i = 0; i < found.samples.size(); ++i)
+        found.lines.points[i].gradient = found.samples[i].value * float(data.squared_scale);
     return found;
 }
 

@@ -13,7 +13,7 @@
 namespace laplacian_lines {
 namespace {
 
-using Form = RidgeCandidates::Form;
+using Sample = RidgeCandidates::Sample;
 
 // How the angle of an edge is measured:
 //  1. Walk over the surface across the line, every .3 % of D. T(d) is the angle by which the normal
@@ -107,7 +107,7 @@ struct Turns {
 /// The angles of one line.
 class LineAngles {
 public:
-    LineAngles(std::uint32_t count, const Form* forms) : count_(count), forms_(forms) {}
+    LineAngles(std::uint32_t count, const Sample* samples) : count_(count), points_(samples) {}
 
     void measure(const Surface& surface, Crest crest) {
         measure_arc_lengths();
@@ -141,7 +141,7 @@ private:
         arc_lengths_.assign(1, 0);
         for (std::uint32_t i = 1; i < count_; ++i)
             arc_lengths_.push_back(arc_lengths_.back() +
-                                   length_of(forms_[i].position - forms_[i - 1].position));
+                                   length_of(points_[i].position - points_[i - 1].position));
     }
 
     /// Both ends are among them.
@@ -154,9 +154,9 @@ private:
 
     /// Across the line, to its left.
     Section section(std::uint32_t i) const {
-        const Form& here = forms_[i];
+        const Sample& here = points_[i];
         const Eigen::Vector3f along =
-            forms_[std::min(i + 1, count_ - 1)].position - forms_[i > 0 ? i - 1 : 0].position;
+            points_[std::min(i + 1, count_ - 1)].position - points_[i > 0 ? i - 1 : 0].position;
         const Eigen::Vector3f normal = unit(here.normal);
         const Eigen::Vector3f across = unit(here.bend - dot(normal, here.bend) * normal);
         const bool is_left = dot(across, normal.cross(along)) >= 0;
@@ -180,7 +180,7 @@ private:
     }
 
     const std::uint32_t count_;
-    const Form* const forms_;
+    const Sample* const points_;
     std::vector<float> arc_lengths_;      // lengths from the start of the line to its points, D
     std::vector<std::uint32_t> samples_;  // points that have a section
     std::vector<Turns> turns_;
@@ -193,7 +193,7 @@ void measure_ridge_angles(const Surface& surface, Crest crest, RidgeCandidates& 
     LineSet& lines = candidates.lines;
     in_parallel(lines.lines.size(), [&](std::size_t number) {
         const Polyline& line = lines.lines[number];
-        LineAngles angles(line.count, candidates.forms.data() + line.first);
+        LineAngles angles(line.count, candidates.samples.data() + line.first);
         angles.measure(surface, crest);
         angles.write(lines.points.data() + line.first);
     });

@@ -70,7 +70,7 @@ std::vector<std::uint8_t> points_along(const ZeroLines& ridges, const Crest& cre
             const Vector3f& p = points[i].position;
             const Vector3f direction = points[std::min(i + 1, line.count - 1)].position -
                                        points[i > 0 ? i - 1 : 0].position;
-            const Vector3f normal = crest.sign > 0 ? unit(ridges.forms[line.first + i].normal)
+            const Vector3f normal = crest.sign > 0 ? unit(ridges.samples[line.first + i].normal)
                                                    : Vector3f(Vector3f::Zero());
             along[line.first + i] = !tree.visit(Eigen::AlignedBox3f(p), [&](std::uint32_t begin) {
                 return !is_along(at(begin), at(begin + 1), distance, p, direction, normal);

@@ -37,9 +37,9 @@ StretchLengths measure(const LinePoint* points, std::uint32_t count, float least
 }
 
 float contour_opacity(const ExtractorData& data, const LocalEye& eye, float clearance,
-                      const LinePoint& point, const ZeroLines::Form& form) {
+                      const LinePoint& point, const ZeroLines::Sample& sample) {
     const Eigen::Vector3f l = eye.towards(data.local_of(point.position));
-    const float facing = std::abs(dot(form.normal, l)), gradient = std::abs(dot(form.bend, l));
+    const float facing = std::abs(dot(sample.normal, l)), gradient = std::abs(dot(sample.bend, l));
     return clearance_opacity(facing, std::max(gradient, 1e-6f), clearance);
 }
 
@@ -85,7 +85,7 @@ void StrongLines::append(const ExtractorData& data, const LocalEye& eye,
                         ? 0
                         : rise(point.gradient, weak, weak * (1 + rules.fading)) *
                               contour_opacity(data, eye, rules.clearance, point,
-                                              found_.forms[place]);
+                                              found_.samples[place]);
             }
             smooth_positions(line, shown, rules.smoothing_passes);
         });

@@ -8,10 +8,10 @@ namespace laplacian_lines {
 ZeroLines trace_zeros(const ExtractorData& data, LineKind kind, float least_length,
                       const std::vector<ZeroPieces>& pieces) {
     PieceGraph graph;
-    std::vector<const ZeroLines::Form*> forms;  // by node
+    std::vector<const ZeroLines::Sample*> samples;  // by node
     const auto node = [&](const Zero& zero) {
         const std::uint32_t number = graph.node(zero.edge);
-        if (number == forms.size()) forms.push_back(&zero.form);
+        if (number == samples.size()) samples.push_back(&zero.sample);
         return number;
     };
     for (const ZeroPieces& of_cluster : pieces)
@@ -23,7 +23,7 @@ ZeroLines trace_zeros(const ExtractorData& data, LineKind kind, float least_leng
     for (const PieceGraph::Line& line : graph.lines()) {
         const Polyline& traced = append_line(
             data, kind, line,
-            [&](std::uint32_t n) -> const Eigen::Vector3f& { return forms[n]->position; },
+            [&](std::uint32_t n) -> const Eigen::Vector3f& { return samples[n]->position; },
             found.lines);
         if (traced.length < least_length) {
             found.lines.points.resize(traced.first);
@@ -31,7 +31,7 @@ ZeroLines trace_zeros(const ExtractorData& data, LineKind kind, float least_leng
             continue;
         }
         for (const std::uint32_t n : line.nodes)
-            found.forms.push_back(*forms[n]);
+            found.samples.push_back(*samples[n]);
     }
     return found;
 }

@@ -16,22 +16,22 @@ namespace laplacian_lines {
 
 /// Lines of zeros of a function of the surface, whatever the view.
 struct ZeroLines {
-    /// What there is at a point of a line, local.
-    struct Form {
+    /// The surface at a point of a line, local.
+    struct Sample {
         Eigen::Vector3f position;
         Eigen::Vector3f normal;  ///< n, about unit
-        Eigen::Vector3f bend;    ///< the larger curvature times its direction, of either sign
+        Eigen::Vector3f bend;    ///< S e, of the unit direction e across the line, of either sign
         std::uint32_t side;      ///< of Surface, on which the point lies
         float value;             ///< what the kind of lines measures there, if anything
     };
-    LineSet lines;            ///< opacity and weight are 1, gradients are not set
-    std::vector<Form> forms;  ///< by point
+    LineSet lines;                ///< opacity and weight are 1, gradients are not set
+    std::vector<Sample> samples;  ///< by point
 };
 
 /// A zero on an edge between two vertices of the mesh.
 struct Zero {
     std::uint64_t edge;
-    ZeroLines::Form form;
+    ZeroLines::Sample sample;
 };
 
 /// In a triangle, between zeros on two of its sides.
@@ -41,7 +41,7 @@ using ZeroPieces = std::vector<ZeroPiece>;
 /// Values at one end of an edge, between which a zero is interpolated.
 struct ZeroEnd {
     float function;        ///< whose zero it is
-    Eigen::Vector3f bend;  ///< as ZeroLines::Form has them
+    Eigen::Vector3f bend;  ///< as ZeroLines::Sample has it
     float value;
 };
 
@@ -55,12 +55,14 @@ ZeroPiece zero_piece(const PlacedCluster& placed, unsigned triangle, const bool 
     std::size_t found = 0;
     for (unsigned k = 0; k < 3; ++k) {
         if (is_negative[k] == is_negative[(k + 1) % 3]) continue;
-        // in this order, so that the triangles on both sides give the same zero
+        // in this order, so that the triangles on both sides name the edge alike
         unsigned a = corners[k], b = corners[(k + 1) % 3];
         if (placed.vertices[b] < placed.vertices[a]) std::swap(a, b);
         const std::pair<ZeroEnd, ZeroEnd> of = ends(a, b);
-        const float fa = std::abs(of.first.function), sum = fa + std::abs(of.second.function);
-        const float t = sum > 0 ? fa / sum : 0.5f;
+        // the signs are those of is_negative, since an end's may depend on a direction's; one is
+        // not 0
+        const float fa = std::abs(of.first.function);
+        const float t = fa / (fa + std::abs(of.second.function));
         const VertexRecord &p = placed.records[a], &q = placed.records[b];
         piece[found++] = {std::uint64_t(placed.vertices[a]) << 32 | placed.vertices[b],
                           {(1 - t) * position_of(p) + t * position_of(q),
@@ -76,16 +78,16 @@ ZeroPiece zero_piece(const PlacedCluster& placed, unsigned triangle, const bool 
 ZeroLines trace_zeros(const ExtractorData& data, LineKind kind, float least_length,
                       const std::vector<ZeroPieces>& pieces);
 
-/// The pieces in all clusters, but for enclosed triangles, whose form is that of their edges:
-/// Cluster(placed, more...) has add(triangle, pieces), which appends the one in a triangle, if any.
-/// Any number of threads gives the same.
-template <class Cluster, class... More>
+/// Joins the pieces in all clusters. ClusterZeros(placed, more...) has add(triangle, pieces), which
+/// appends the one in a triangle, if any; it is not called for FaceShape::Enclosed, whose edges
+/// show its form. Any number of threads gives the same.
+template <class ClusterZeros, class... More>
 ZeroLines find_zero_lines(const ExtractorData& data, LineKind kind, float least_length,
                           const More&... more) {
     const std::vector<PlacedCluster> placed = place_clusters(data);
     std::vector<ZeroPieces> pieces(placed.size());
     in_parallel(placed.size(), [&](std::size_t c) {
-        const Cluster cluster(placed[c], more...);
+        const ClusterZeros cluster(placed[c], more...);
         for (unsigned t = 0; t < placed[c].cluster->triangle_count; ++t)
             if (!placed[c].is_enclosed(t)) cluster.add(t, pieces[c]);
     });

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A kd-tree with full leaves: points are halved along the longest axis of their box, so that points
-// of a leaf, and leaves one after the other, are near in space. Points are integers of 31 bits with
-// their index, by which no two are equal; the first halvings are shared by threads, then subtrees.
+// of a leaf, and leaves one after the other, are near in space. Points are compared as integers of
+// 31 bits with their index: no two are equal, so that halves are the same whoever makes them. The
+// first halvings are shared by threads, then subtrees.
 #include "mesh/spatial_tree.h"
 
 #include <algorithm>
@@ -77,20 +78,21 @@ void sort_few(Item* begin, Item* end) {
             std::swap(*j, j[-1]);
 }
 
-/// Puts the smallest items before `middle`: Hoare's selection without branches on keys.
+/// Puts the smallest items before `middle`: quickselect with Lomuto's partition, which needs no
+/// branches on keys; O(n), or O(n²) if all samples mislead.
 template <int Axis>
 void select(Item* begin, Item* end, Item* middle) {
     while (end - begin > kGroupSize) {
         const std::int64_t pivot = choose_pivot<Axis>(begin, end, middle);
-        Item* split = begin;
+        Item* parting = begin;
         for (Item* i = begin; i < end; ++i) {
             const Item item = *i;
-            *i = *split;
-            *split = item;
-            split += item.key(Axis) < pivot;
+            *i = *parting;
+            *parting = item;
+            parting += item.key(Axis) < pivot;
         }
-        if (split == middle) return;
-        (split < middle ? begin : end) = split;
+        if (parting == middle) return;
+        (parting < middle ? begin : end) = parting;
     }
     sort_few<Axis>(begin, end);
 }

@@ -17,7 +17,8 @@ public:
         Eigen::AlignedBox3d box;
     };
 
-    /// `order` becomes the tree's order: order[i] is the index of its i-th point.
+    /// Of at least one point. `order` becomes the tree's order: order[i] is the index of its i-th
+    /// point.
     SpatialTree(const std::vector<Eigen::Vector3d>& points, std::vector<std::uint32_t>& order);
 
     const std::vector<Leaf>& leaves() const { return leaves_; }

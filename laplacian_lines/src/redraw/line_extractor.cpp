@@ -53,23 +53,23 @@ std::size_t LineExtractor::memory() const {
 
 namespace {
 
-// An eye this close to the centre, in D, is inside the object, where no scale makes sense.
+// An eye this close to the centre, in D, is within the bounding box, where no scale makes sense.
 constexpr double kLeastEyeDistance = 0.01;
 
 LocalEye direction_to_local(const Eigen::Vector3d& direction, const char* complaint) {
     const double length = direction.stableNorm();
-    if (!std::isfinite(length) || length == 0) throw Error(ErrorCode::InvalidOption, complaint);
+    if (!std::isfinite(length) || length == 0) refuse(complaint);
     return {(direction / length).cast<float>(), 0.f};
 }
 
-/// To local coordinates, times s = 1/|e − c| (perspective) or to unit length (directions).
+/// To local coordinates; positions are scaled to the unit distance from the centre, or less near
+/// it, directions to unit length.
 LocalEye eye_to_local(const View& view, const ExtractorData& data) {
     constexpr const char* complaint = "The view has no finite eye or direction.";
     if (view.w == 0) return direction_to_local(view.eye, complaint);
     const Eigen::Vector3d eye = (view.eye / view.w - data.centre) / data.diagonal;
     const double distance = eye.stableNorm();
-    if (!std::isfinite(view.w) || !std::isfinite(distance))
-        throw Error(ErrorCode::InvalidOption, complaint);
+    if (!std::isfinite(view.w) || !std::isfinite(distance)) refuse(complaint);
     const double scale = 1 / std::max(distance, kLeastEyeDistance);
     return {(eye * scale).cast<float>(), float(scale)};
 }
@@ -107,10 +107,11 @@ ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEy
         rules.slope_scale = float(std::pow(
             kind == LineKind::Laplacian ? data.laplacian_squared_scale : data.squared_scale, 1.5));
         if (data.is_sheet) rules.concave_thinning = LineRules::kNoThinning;
+        // 0: triangles with n·l < 0 at all corners are left out
         const float least_facing =
             rules.leave_out_away ? 0 : least_scaled_facing(rules.least_facing, eye);
         const bool on_edges = is_on_edges(kind, style, data);
-        if (on_edges) rules.smoothing_passes = 0;
+        if (on_edges) rules.smoothing_passes = 0;  // edges stay where they are
         const bool wanted = !on_edges && style.shows[kind] && can_extract(kind, data);
         task.kinds[number] = {wanted, least_facing, rules};
     }

@@ -182,7 +182,7 @@ void finish_line(const ExtractorData& data, const TracedLines& traced,
     // Where a line crosses an edge, both triangles say; in meshes that are wild they differ.
     if (p.closed) points[p.count - 1].position = points[0].position;
     if (rules.whole) finish_part(traced, line, thread, points);
-    if (!rules.cut_by_convex()) cut_at_hairpins(rules, p, thread, points);
+    if (!is_cut_by_convex(rules)) cut_at_hairpins(rules, p, thread, points);
     if (rules.use_slope) {
         taper(rules, p, points);
     } else {

@@ -26,7 +26,7 @@ void LinePartFinder::find(const LineRules& rules, const std::vector<LinePiece>& 
                           bool closed) {
     closed_ = closed;
     add_up(pieces);
-    const double reach = rules.cut_by_convex() ? kAveraging : kAveragingUncut;
+    const double reach = is_cut_by_convex(rules) ? kAveraging : kAveragingUncut;
     judge(rules, reach * std::max(double(rules.kernel_size), kLeastKernel));
     collect_parts();
 }

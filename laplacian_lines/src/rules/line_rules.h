@@ -22,7 +22,6 @@ struct LineRules {
     /// crossing. For whole lines that nothing convex should cut, the corners' neighbours count as
     /// well.
     bool leave_out_convex = false;
-    bool cut_by_convex() const { return !whole || !concave_only || least_concavity > -1; }
     /// Skip triangles without a form of their own, see find_featureless_triangles().
     bool drop_featureless = false;
     /// Skip triangles with n·l < 0 at all corners, where contour_clearance leaves no opacity.
@@ -47,6 +46,11 @@ struct LineRules {
     float end_length = 0;               ///< over which open ends fade, D
     float contour_clearance = 0;        ///< lines nearer to a contour fade out, D in the picture
 };
+
+/// Whether triangles are left out for their own convexity, not for that of all around them.
+static inline bool is_cut_by_convex(const LineRules& rules) {
+    return !rules.whole || !rules.concave_only || rules.least_concavity > -1;
+}
 
 int smoothing_passes(double deviation);
 

@@ -22,7 +22,7 @@ constexpr std::size_t kSampledLeaves = 64;
 // Tables take 20 bytes a block.
 constexpr double kBlocksPerVertex = 8;
 
-constexpr double kLeastRoughness = 0.01;  // a plane: Δn is about 0
+constexpr double kLeastTurn = 0.01;  // a plane: Δn is about 0
 
 constexpr double kCostly = 3e7;  // half a minute
 
@@ -39,8 +39,8 @@ double grid_cost(const PreparedMesh& mesh, const GaussianKernel& kernel,
 
 }  // namespace
 
-GridResolution grid_resolution(double accuracy, double roughness) {
-    const double turn = std::clamp(roughness, kLeastRoughness, 1.0);
+GridResolution grid_resolution(double accuracy, double normal_turn) {
+    const double turn = std::clamp(normal_turn, kLeastTurn, 1.0);
     GridResolution resolution;
     // The largest error on the test meshes is 1.1e-3 cell^4.9 / turn down to 0.7 √h and falls more
     // slowly below, which is bounded by this one; tests/core/reference_test.cpp holds it to the

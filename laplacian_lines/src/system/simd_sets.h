@@ -6,8 +6,8 @@
 /// never contracted, and no sum goes over lanes. CMakeLists.txt lists their files. Each has a table
 /// of its functions, which others call by fastest<Table>().
 ///
-/// They use no inline functions of other headers: the linker could keep the copy that was compiled
-/// for a better processor.
+/// They use functions of other headers only if these are static inline: of others, members among
+/// them, the linker could keep the copy that was compiled for a better processor.
 namespace laplacian_lines {
 
 enum class InstructionSet { Baseline, Avx2, Avx512 };

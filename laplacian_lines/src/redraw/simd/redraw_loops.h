@@ -30,7 +30,7 @@ constexpr unsigned kStripPassCount = sizeof(kStripPasses) / sizeof(kStripPasses[
 constexpr unsigned kMostKindsOfPass = 2;
 
 /// Where the eye and the light are in homogeneous local coordinates (x, y, z, w), scaled so that
-/// n·(eye − w p) is about in [−1, 1]; and which zeros become lines.
+/// n·(eye − w p), which is meant by n·eye below, is about in [−1, 1]; and which zeros become lines.
 struct ExtractionTask {
     float eye[4], light[4];
     bool light_at_eye;
@@ -75,9 +75,6 @@ constexpr unsigned kBatchTriangles = kBatch * kClusterTriangles;
 constexpr unsigned kStripsOfBatch = kBatchTriangles;
 constexpr unsigned kPointsOfBatch = 2 * kStripsOfBatch;
 
-/// Beside the bits of VertexForm: the CurvatureRecords of all vertices are read to find signs.
-constexpr unsigned kCurvatures = 1u << kVertexFormCount;
-
 /// A cluster that can hold a line, and what has to be known of it.
 struct KeptCluster {
     std::uint32_t number;
@@ -92,13 +89,14 @@ struct KeptCluster {
 constexpr unsigned kNumbersOfSlot = 256;
 struct alignas(16) ActiveTriangle {
     std::uint16_t exit[2], third;  ///< and the vertex not in exit
-    std::uint16_t own;
+    std::uint16_t own;             ///< the triangle
     std::uint16_t entry[2];
     std::uint16_t successor, previous;  ///< across exit and entry, as ClusterTriangle::neighbours
 };
 
-// Arrays below are longer than what they can hold, so that whole vectors may be read and written,
-// and so that their beginnings differ in cache sets.
+// Arrays below with kPlaces are longer than what they can hold, so that whole vectors may be read
+// and written, and by different multiples of 64 bytes, so that their beginnings differ in cache
+// sets: the arrays of one struct are read at the same place together.
 
 /// The active triangles of one function in a batch, cluster by cluster.
 struct ActiveTriangles {
@@ -124,11 +122,10 @@ struct Batch {
 struct RecordsOfSlot {
     const VertexRecord* records;
     std::uint32_t offset;
-
-    const float* operator[](unsigned place) const {
-        return records[std::uint32_t(place + offset)].position;
-    }
 };
+static inline const float* position_at(const RecordsOfSlot& of, unsigned place) {
+    return of.records[std::uint32_t(place + of.offset)].position;
+}
 static inline RecordsOfSlot records_around(const Batch& batch, unsigned place) {
     return {batch.records, batch.record_offsets[place / kClusterVertices]};
 }
@@ -143,7 +140,7 @@ struct CrossingMemory {
     alignas(64) float position[3][kPlaces];
     alignas(64) float g[3][kPlaces];  ///< ∇I = S l
     alignas(64) float gradient[kPlaces], opacity[kPlaces];
-    alignas(64) float concave[kPlaces];        ///< of whole lines: −l·Sl/‖w‖, see LinePiece
+    alignas(64) float concave[kPlaces];  ///< of whole lines: −l·Sl/‖t‖ of l's tangential part t
     std::uint64_t accepted[kPlaces / 64 + 1];  ///< a bit for each
     alignas(64) float points[kPlaces][4];  ///< with ‖∇I‖ in the last place, as in StripPoint
 };
@@ -160,9 +157,9 @@ struct SegmentMemory {
     alignas(64) float fu[kPlaces], fv[kPlaces];  ///< differences of the function
     alignas(64) float slope[kPlaces];            ///< < 0: refused
     alignas(64) float sums[kPlaces][4];          ///< as in Strip
-    std::uint16_t next[kPlaces];                 ///< segment, or kNone
-    std::uint16_t first[kPlaces];                ///< segments that follow on none
-    bool is_written[kPlaces];                    ///< in a strip
+    std::uint16_t next[kPlaces];   ///< segment, or kNone; the last place takes what has none before
+    std::uint16_t first[kPlaces];  ///< segments that follow on none
+    bool is_written[kPlaces];      ///< in a strip
     /// What ends at a crossing: a segment, or kNone.
     alignas(64) std::uint16_t ending[CrossingMemory::kPlaces];
     /// The place in ActiveTriangles by place in the batch, or kNone.

@@ -295,7 +295,7 @@ static inline void collect_apparent_corners(const Batch& batch, const ActiveTria
         Float4 direction = {}, p[3];
         float values[3];
         for (unsigned k = 0; k < 3; ++k) {
-            p[k] = load4(records_around(batch, corners[k])[corners[k]]);
+            p[k] = load4(position_at(records_around(batch, corners[k]), corners[k]));
             const float* vector = apparent.vectors[corners[k]];
             const float sign = dot3(apparent.vectors[corners[0]], vector) < 0 ? -1.f : 1.f;
             values[k] = sign * vector[3];

@@ -131,8 +131,8 @@ static inline EdgePoints find_edge_points(const Batch& batch, const float eye_of
     const float *below[kLanes], *above[kLanes];  // records, as rows of four
     for (unsigned k = 0; k < kLanes; ++k) {
         const RecordsOfSlot records = records_around(batch, m.ends[i + k][0]);
-        below[k] = records[m.ends[i + k][0]];
-        above[k] = records[m.ends[i + k][1]];
+        below[k] = position_at(records, m.ends[i + k][0]);
+        above[k] = position_at(records, m.ends[i + k][1]);
     }
     const Floats t = load(m.share + i), s = 1 - t;
     const auto interpolate = [&](unsigned row, Floats columns[4]) {

@@ -16,6 +16,9 @@
 namespace laplacian_lines {
 namespace SIMD_SET {
 
+/// Beside the bits of VertexForm: the CurvatureRecords of all vertices are read to find signs.
+constexpr unsigned kCurvatures = 1u << kVertexFormCount;
+
 /// Occluding contours: the zeros of n·(e − w p).
 struct Contours {
     static constexpr LineKind kKind = LineKind::Contour;
@@ -49,7 +52,7 @@ struct FacingKind {
     static inline std::uint64_t unwanted(const LineRules& rules, const Cluster& cluster,
                                          unsigned group) {
         const std::uint64_t* convex =
-            rules.cut_by_convex() ? cluster.convex : cluster.convex_around;
+            is_cut_by_convex(rules) ? cluster.convex : cluster.convex_around;
         return (rules.leave_out_convex ? convex[group] : 0) |
                (rules.drop_featureless ? cluster.featureless[group] : 0);
     }

@@ -73,9 +73,9 @@ static inline void list_mixed(std::uint64_t mask, const std::uint64_t negative[3
                                       (negative[2] >> i & 1) << 2);
         ActiveTriangle& triangle = active.triangles[count++];
         write_active(triangles, first + i, corners, place.slot, triangle);
-        __builtin_prefetch(records[triangle.exit[0]]);
-        __builtin_prefetch(records[triangle.exit[1]]);
-        __builtin_prefetch(records[triangle.third]);
+        __builtin_prefetch(position_at(records, triangle.exit[0]));
+        __builtin_prefetch(position_at(records, triangle.exit[1]));
+        __builtin_prefetch(position_at(records, triangle.third));
     }
     active.count = count;
 }

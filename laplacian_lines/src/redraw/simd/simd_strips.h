@@ -100,8 +100,9 @@ static inline void collect_corners(const Batch& batch, const ActiveTriangles& ac
             const unsigned place = s.triangle[i + k];
             const ActiveTriangle& t = active.triangles[place];
             const RecordsOfSlot records = records_around(batch, t.third);
-            const Float4 a = load4(records[t.exit[0]]), b = load4(records[t.exit[1]]),
-                         c = load4(records[t.third]);
+            const Float4 a = load4(position_at(records, t.exit[0])),
+                         b = load4(position_at(records, t.exit[1])),
+                         c = load4(position_at(records, t.third));
             u[k] = b - a;
             v[k] = c - a;
             for (int axis = 0; axis < 3; ++axis)
