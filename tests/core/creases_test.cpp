@@ -179,6 +179,30 @@ TEST(Creases, DoNotDependOnOtherBodies) {
     EXPECT_EQ(edges_of(mesh, creases_of(mesh)).size(), 24u);
 }
 
+/// A rod of rings with so many waves around it, whose vertices are not evenly spaced.
+TriangleMesh fluted(int waves, double height, int points, const std::vector<double>& places) {
+    std::vector<Ring> rings;
+    for (const double z : places) {
+        Ring& ring = rings.emplace_back();
+        for (int i = 0; i < points; ++i) {
+            const double angle = kTurn * (i + 0.8 * std::sin(2.9 * i)) / points;
+            const double radius = 1 + height * std::sin(waves * angle);
+            ring.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
+        }
+    }
+    return joined(rings);
+}
+
+/// Where vertices are far apart, some of the strips between them seem sharper than the others.
+TEST(Creases, AreTheOnlyInnerLinesOfFlutedRods) {
+    for (const TriangleMesh& rod :
+         {fluted(24, 0.05, 24 * 40, {0, 1.5}), fluted(4, 0.05, 150, {0, 0.7, 1.4, 2})})
+        for (const Eigen::Vector3d& eye : {Eigen::Vector3d(0.45, 0.42, 0.78), {0.71, 0.57, 0.41}})
+            for (const Polyline& line : creases_of(rod, LineStyle(), View::orthographic(eye)).lines)
+                EXPECT_TRUE(line.kind == LineKind::Crease || line.kind == LineKind::Contour)
+                    << describe(line.kind).key;
+}
+
 /// A flat roof of three faces is no arc.
 TEST(Creases, AreTheEdgesOfRoofs) {
     const TriangleMesh house =

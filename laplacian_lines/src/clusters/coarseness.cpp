@@ -24,6 +24,9 @@ constexpr double kCoarseShare = 0.25, kCoarseShareOfCad = 0.02;
 constexpr double kSquaredCosineOfCad = 0.9698;  // of 10°: planes of CAD meshes are the form's
 
 constexpr double kLong = 0.02;  // D: over four of the least kernels
+// Where so long triangles bend as little as the facets of a cylinder of 64, the zero of a Laplacian
+// is that of facets of different width.
+constexpr double kVeryLong = 0.06, kGentleCosine = 0.9951;
 
 /// Whether the zero of n·v in a triangle may be far from the horizon of the triangles.
 bool is_coarse(const PreparedMesh& mesh, const Field& field, const Triangle& t, bool is_cad) {
@@ -94,10 +97,14 @@ std::vector<std::uint8_t> find_featureless_triangles(const PreparedMesh& mesh,
         const Triangle& t = mesh.triangles[i];
         const auto is_flat = [&](std::uint32_t v) { return cosines[v] >= kFlatCosine; };
         const auto is_clear = [&](std::uint32_t v) { return is_flat(v) || is_sharp(cosines[v]); };
-        featureless[i] = shapes[i] != FaceShape::Curved ||
-                         std::all_of(t.begin(), t.end(), is_flat) ||
-                         (std::all_of(t.begin(), t.end(), is_clear) &&
-                          longest_squared(mesh.positions, t) > kLong * kLong);
+        const auto is_gentle = [&](std::uint32_t v) {
+            return cosines[v] >= kGentleCosine || is_sharp(cosines[v]);
+        };
+        const auto all_have = [&](const auto& has) { return std::all_of(t.begin(), t.end(), has); };
+        const double size = longest_squared(mesh.positions, t);
+        featureless[i] = shapes[i] != FaceShape::Curved || all_have(is_flat) ||
+                         (size > kLong * kLong && all_have(is_clear)) ||
+                         (size > kVeryLong * kVeryLong && all_have(is_gentle));
     });
     return featureless;
 }

@@ -14,6 +14,9 @@ namespace {
 
 constexpr float kWeak = 0.5f;      // of the least gradient, for continuations of strong parts
 constexpr float kSharpAngle = 45;  // degrees; sharper pieces count more than their length
+// The ends of a stretch are guesses where more than this share of its points is in triangles so many
+// times as long as it is.
+constexpr float kMostGuessed = 0.25f, kLongTriangle = 2;
 
 /// In D.
 struct StretchLengths {
@@ -70,22 +73,26 @@ void StrongLines::append(const ExtractorData& data, const LocalEye& eye,
             LinePoint* const shown = lines.points.data() + line.first;
             const StretchLengths lengths =
                 measure(shown, line.count, rules.least, float(data.diagonal));
+            const auto place = [&](std::size_t i) { return whole.first + (begin + i) % period; };
+            std::uint32_t guessed = 0;
+            for (std::size_t i = 0; i < line.count; ++i)
+                guessed += found_.samples[place(i)].triangle > kLongTriangle * lengths.all;
             if (line.count < 2 || lengths.all < rules.least_length ||
-                lengths.strong < rules.least_strong) {
+                lengths.strong < rules.least_strong ||
+                float(guessed) > kMostGuessed * float(line.count)) {
                 lines.points.resize(line.first);
                 lines.lines.pop_back();
                 return;
             }
             line.length = lengths.all;
             for (std::size_t i = 0; i < line.count; ++i) {
-                const std::size_t place = whole.first + (begin + i) % period;
                 LinePoint& point = shown[i];
                 point.opacity = point.weight =
-                    left_out && (*left_out)[place]
+                    left_out && (*left_out)[place(i)]
                         ? 0
                         : rise(point.gradient, weak, weak * (1 + rules.fading)) *
                               contour_opacity(data, eye, rules.clearance, point,
-                                              found_.samples[place]);
+                                              found_.samples[place(i)]);
             }
             smooth_positions(line, shown, rules.smoothing_passes);
         });

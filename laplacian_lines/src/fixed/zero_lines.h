@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include "clusters/extractor_data.h"
 #include "laplacian_lines/line_set.h"
 #include "system/parallel.h"
+#include "system/three_floats.h"
 
 namespace laplacian_lines {
 
@@ -23,6 +25,7 @@ struct ZeroLines {
         Eigen::Vector3f bend;    ///< S e, of the unit direction e across the line, of either sign
         std::uint32_t side;      ///< of Surface, on which the point lies
         float value;             ///< what the kind of lines measures there, if anything
+        float triangle;          ///< the longest side of a triangle there
     };
     LineSet lines;                ///< opacity and weight are 1, gradients are not set
     std::vector<Sample> samples;  ///< by point
@@ -51,6 +54,10 @@ template <class Ends>
 ZeroPiece zero_piece(const PlacedCluster& placed, unsigned triangle, const bool is_negative[3],
                      const Ends& ends) {
     const auto& corners = placed.triangle(triangle).corners;
+    float longest = 0;
+    for (unsigned k = 0; k < 3; ++k)
+        longest = std::max(longest, length_of(position_of(placed.records[corners[(k + 1) % 3]]) -
+                                              position_of(placed.records[corners[k]])));
     ZeroPiece piece{};
     std::size_t found = 0;
     for (unsigned k = 0; k < 3; ++k) {
@@ -69,7 +76,7 @@ ZeroPiece zero_piece(const PlacedCluster& placed, unsigned triangle, const bool 
                            (1 - t) * normal_of(p) + t * normal_of(q),
                            (1 - t) * of.first.bend + t * of.second.bend,
                            3 * (placed.first_triangle + triangle) + k,
-                           (1 - t) * of.first.value + t * of.second.value}};
+                           (1 - t) * of.first.value + t * of.second.value, longest}};
     }
     return piece;
 }
