@@ -47,6 +47,7 @@ public:
 private:
     void read_solid() {
         for (std::string_view word; !equals(word = next(), "endsolid");) {
+            if (equals(word, "endfacet")) continue;  // some programs write none
             if (!equals(word, "facet"))
                 throw Defect{"expected \"facet\" or \"endsolid\", not " + quoted(word)};
             read_facet();
@@ -71,7 +72,6 @@ private:
         }
         if (!equals(word, "endloop"))
             throw Defect{"expected \"vertex\" or \"endloop\", not " + quoted(word)};
-        demand("endfacet");
         mesh_.add(corners_);
     }
 

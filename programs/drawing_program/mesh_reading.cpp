@@ -87,8 +87,10 @@ ReadMesh read_mesh(const std::string& file, bool draws_damaged) {
     if (mesh.triangles.empty() && !defect.empty())
         refuse(file, "the mesh cannot be read: " + defect + '.');
     if (mesh.triangles.empty())
-        refuse(file, "the mesh has no faces; lines are drawn on surfaces." +
-                         (remark.empty() ? "" : " Of the file, " + remark + '.'));
+        refuse(file,
+               "the mesh has no faces; lines are drawn on surfaces. If it is a point cloud, "
+               "reconstruct one first." +
+                   (remark.empty() ? "" : " Of the file, " + remark + '.'));
     if (!defect.empty() && !draws_damaged)
         refuse(file, "the file is damaged: " + defect +
                          ". With --damaged draw, what is whole of it is drawn.");

@@ -68,6 +68,17 @@ TEST(WholeFiles, OfObjMayCountVerticesBackAndJoinLines) {
     EXPECT_EQ(file.mesh.triangles[1], (laplacian_lines::Triangle{1, 0, 3}));
 }
 
+TEST(WholeFiles, OfStlMayHaveNoEndsOfFacets) {
+    for (const Sample& sample : tetrahedra()) {
+        if (sample.name != "stl") continue;
+        std::string bytes = sample.bytes;
+        for (std::size_t at; (at = bytes.find(" endfacet\n")) != bytes.npos;)
+            bytes.erase(at, 10);
+        EXPECT_EQ(read_mesh(sample.format, bytes).defect, "");
+        EXPECT_NEAR(sample_files::volume(read_mesh(sample.format, bytes).mesh), 4, 1e-6);
+    }
+}
+
 /// As other programs write and read them.
 TEST(WholeFiles, MayHaveMoreThanTheirFormatThenItIsSaid) {
     const auto expect = [](const char* name, const std::string& before, const std::string& behind,
