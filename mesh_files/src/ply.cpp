@@ -43,7 +43,7 @@ struct PlyElement {
     std::uint64_t count = 0;
     std::vector<PlyProperty> properties;
 
-    /// The least bytes of an item.
+    /// The least bytes of an item, whose lists may be empty.
     std::size_t least_size(bool is_text) const {
         std::size_t sum = 0;
         for (const PlyProperty& property : properties)
@@ -175,6 +175,7 @@ private:
     std::string_view bytes_;
 };
 
+/// Of a property; X to Z, of coordinates, are numbers of axes and come first.
 enum class Role { X, Y, Z, Corners, Strips, Nothing };
 
 Role role_of(const PlyElement& element, const PlyProperty& property) {
@@ -235,10 +236,13 @@ private:
         list_.clear();
         for (double k = 0; k < count; ++k) {
             const double value = values_.next(property.type);
-            // Found not to be an index when used as one.
-            list_.push_back(std::abs(value) < 1e18 ? std::int64_t(value) : -2);
+            const bool is_index = std::abs(value) < 1e18 && value == std::floor(value);
+            list_.push_back(is_index ? std::int64_t(value) : kNoIndex);
         }
     }
+
+    static constexpr std::int64_t kNoIndex =
+        -2;  // refused like others out of range; −1 ends strips
 
     /// -1 ends a strip; every second triangle is reversed.
     void add_strips() {
@@ -264,8 +268,9 @@ void expect_coordinates(const PlyElement& vertices) {
             throw Defect{std::string("its vertices have no ") + name};
 }
 
-/// At most what the bytes can hold.
-void prepare(const PlyHeader& header, std::size_t bytes, MeshBuilder& mesh) {
+/// Reserves room for what the header promises, at most for what the bytes can hold: a triangle
+/// takes three at least.
+void reserve(const PlyHeader& header, std::size_t bytes, MeshBuilder& mesh) {
     const bool is_text = header.encoding == PlyHeader::Encoding::Text;
     for (const PlyElement& element : header.elements) {
         if (element.properties.empty()) continue;
@@ -297,7 +302,7 @@ std::string read_ply(std::string_view bytes, MeshBuilder& mesh) {
         for (const PlyElement& element : header.elements)
             if (element.name == "vertex") expect_coordinates(element);
     });
-    prepare(header, text.rest().size(), mesh);
+    reserve(header, text.rest().size(), mesh);
     if (header.encoding == PlyHeader::Encoding::Text)
         return read_lines(text, [&] { return read_elements(header, TextValues(text), mesh); });
     if (header.encoding == PlyHeader::Encoding::LittleEndian)

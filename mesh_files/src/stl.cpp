@@ -47,7 +47,7 @@ public:
 private:
     void read_solid() {
         for (std::string_view word; !equals(word = next(), "endsolid");) {
-            if (equals(word, "endfacet")) continue;  // some programs write none
+            if (equals(word, "endfacet")) continue;  // optional: some programs leave it out
             if (!equals(word, "facet"))
                 throw Defect{"expected \"facet\" or \"endsolid\", not " + quoted(word)};
             read_facet();

@@ -29,7 +29,7 @@ double as_written(float value) {
 }
 
 /// Empty for types without a number: asking a value for another type trips an assertion in MeshLab.
-std::optional<double> number(const Value& value) {
+std::optional<double> as_number(const Value& value) {
     if (value.isBool()) return value.getBool() ? 1 : 0;
     if (value.isInt()) return value.getInt();
     if (value.isColor()) return value.getColor().rgb() & 0xffffff;
@@ -66,27 +66,32 @@ QColor color_of(double value) {
     return QColor(QRgb(value));
 }
 
-double number_of(const Value& value, const OptionDescription& option) {
-    const std::optional<double> result = number(value);
+bool is_real(const OptionDescription& option) {
+    return option.kind == OptionKind::Real || option.kind == OptionKind::Length;
+}
+
+double checked_number(const Value& value, const OptionDescription& option) {
+    const std::optional<double> result = as_number(value);
     if (!result || std::isnan(*result)) refuse_value(option, "not a number");
-    if (!(*result >= option.minimum && *result <= option.maximum))
+    if (!(*result >= option.minimum && *result <= option.maximum) ||
+        (!is_real(option) && *result != std::floor(*result)))
         refuse_value(option, QString::number(*result).toStdString());
     return *result;
 }
 
-std::string string_of(const Value& value, const OptionDescription& option) {
+std::string checked_text(const Value& value, const OptionDescription& option) {
     if (!value.isString()) refuse_value(option, "not a text");
     return value.getString().toStdString();
 }
 
-Eigen::Vector3d place_of(const Value& value, const OptionDescription& option) {
+Eigen::Vector3d checked_point(const Value& value, const OptionDescription& option) {
     if (!is_point(value)) refuse_value(option, "not a point");
     const Point3m p = point_in(value);
-    const Eigen::Vector3d place(as_written(float(p[0])), as_written(float(p[1])),
+    const Eigen::Vector3d point(as_written(float(p[0])), as_written(float(p[1])),
                                 as_written(float(p[2])));
-    if (!place.allFinite()) refuse_value(option, "not finite");
-    if (option.kind == OptionKind::Direction && place.isZero(0)) refuse_value(option, "0 0 0");
-    return place;
+    if (!point.allFinite()) refuse_value(option, "not finite");
+    if (option.kind == OptionKind::Direction && point.isZero(0)) refuse_value(option, "0 0 0");
+    return point;
 }
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
@@ -113,7 +118,7 @@ double choice_in(const QString& text, const QStringList& choices) {
 
 double color_in(const QString& text) {
     const QColor color(text);
-    return color.isValid() ? color.rgb() & 0xffffff : kNoValue;
+    return color.isValid() && color.alpha() == 255 ? color.rgb() & 0xffffff : kNoValue;
 }
 
 double real_in(const QString& text) {
@@ -172,12 +177,12 @@ OptionValue read_parameter(const OptionDescription& option, const OptionValue& f
     switch (option.kind) {
         case OptionKind::Text:
         case OptionKind::File:
-            return string_of(value, option);
+            return checked_text(value, option);
         case OptionKind::Position:
         case OptionKind::Direction:
-            return place_of(value, option);
+            return checked_point(value, option);
         default:
-            return number_of(value, option);
+            return checked_number(value, option);
     }
 }
 
@@ -187,9 +192,8 @@ double number_in(const QString& text, const OptionDescription& option) {
                          : option.kind == OptionKind::Color  ? color_in(text)
                                                              : real_in(text);
     if (value >= option.minimum && value <= option.maximum) return value;
-    const bool is_real = option.kind == OptionKind::Real || option.kind == OptionKind::Length;
-    const bool has_comma =
-        is_real && text.contains(',') && !std::isnan(real_in(QString(text).replace(',', '.')));
+    const bool has_comma = is_real(option) && text.contains(',') &&
+                           !std::isnan(real_in(QString(text).replace(',', '.')));
     refuse_value(option, text.toStdString(), has_comma ? ", with a decimal point" : "");
 }
 

@@ -48,8 +48,10 @@ TEST(DecorationSettings, AreSwitchesChoicesAndColors) {
                   "\"Hidden Lines\" is " + value +
                       ". It has to be one of 0 (Not Drawn), 1 (Faint), 2 (Dashed).");
     EXPECT_EQ(read("Line Color=Red"), "setdeco Line Color = #ff0000");
-    EXPECT_EQ(read("Line Color=reddish"),
-              "\"Line Color\" is reddish. It has to be a color, such as #202020 or gray.");
+    for (const std::string color : {"reddish", "transparent"})
+        EXPECT_EQ(
+            read("Line Color=" + color),
+            "\"Line Color\" is " + color + ". It has to be a color, such as #202020 or gray.");
 }
 
 TEST(DecorationSettings, ThatAreUnknownNameAllOthers) {

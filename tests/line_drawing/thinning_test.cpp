@@ -286,6 +286,28 @@ TEST(Chaining, ClosesARingOfTwoHalves) {
     EXPECT_EQ(chained[0].points.front().position, chained[0].points.back().position);
 }
 
+/// Also of one line whose ends overshoot each other. Its seam is as smooth as others are.
+TEST(Chaining, ClosesARingWithoutAStep) {
+    DrawnLine line{LineClass::Contour, false, {}};
+    line.kind = laplacian_lines::LineKind::Border;
+    for (double angle = -0.03; angle < 6.31; angle += 0.04)
+        line.points.push_back({{6 * std::cos(angle), 6 * std::sin(angle)}, angle < 3 ? 1. : 0.6});
+    const auto chained = chain({line}, kPens, true);
+    ASSERT_EQ(chained.size(), 1u);
+    ASSERT_TRUE(chained[0].closed);
+    EXPECT_EQ(chained[0].kind, laplacian_lines::LineKind::Border);
+    const std::vector<DrawnPoint>& points = chained[0].points;
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+        const Vector2d before = points[i].position - points[i - 1].position,
+                       after = points[i + 1].position - points[i].position;
+        EXPECT_GT(before.dot(after), 0.9 * before.norm() * after.norm()) << i;
+    }
+    const auto at_seam = std::min_element(points.begin(), points.end(), [](auto& a, auto& b) {
+        return (a.position - Vector2d(6, 0)).norm() < (b.position - Vector2d(6, 0)).norm();
+    });
+    EXPECT_NEAR(at_seam->weight, 0.8, 0.15);
+}
+
 TEST(Chaining, PassesFromAContourToALineWithOneWidth) {
     const DrawnLine contour = straight({0, 0}, {10, 0}, 1, LineClass::Contour);
     const DrawnLine line = straight({10.1, 0}, {20, 0}, 0.8);

@@ -162,6 +162,11 @@ TEST(DamagedFiles, SayWhatAndWhere) {
                      "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty "
                      "float y\nproperty float z\nend_header\n0 0 0\n0 y 0\n"),
               "line 9: \"y\" is not a number, in vertex 2 of 2");
+    EXPECT_NE(defect(Format::Ply,
+                     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty "
+                     "float y\nproperty float z\nelement face 1\nproperty list uchar float "
+                     "vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1.9 2\n"),
+              "");
 }
 
 /// Promises of a header are not trusted.

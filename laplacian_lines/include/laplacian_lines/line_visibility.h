@@ -47,7 +47,8 @@ LineSet extract_on_surface(const LineExtractor& extractor, const View& view, con
 struct VisibilityOptions {
     /// Which mesh edges are wanted: contours, borders and creases.
     LineKindSet shows = LineKindSet::defaults();
-    /// As LineStyle::line_smoothing: of lines on the surface, and in space of smooth contours.
+    /// As LineStyle::line_smoothing: of lines on the surface, and, unless in_picture, of contours
+    /// that do not follow edges.
     double line_smoothing = 1.2;
     bool has_hidden = false;  ///< also the hidden parts of the mesh's edges
     /// Join lines that meet in the picture, even across a jump in depth, so that outlines are
@@ -75,13 +76,14 @@ struct ViewLine {
     bool closed;  ///< ends with a copy of its first point
     bool is_hidden;
     bool is_outline;  ///< nothing is on one side of it: the outlines of a view are closed
-    /// Contours and borders: largest depth from them to the surface behind, mesh units.
+    /// Contours and borders: largest depth from them to the surface behind, mesh units; infinite
+    /// with nothing behind.
     float jump;
     float strength, slope;  ///< of the whole line that it is part of, see Polyline
     std::vector<ViewLinePoint> points;
 };
 
-/// Appends a line to a set, less its origin; `diagonal`: D, mesh units.
+/// Appends a line to a set, whose points are relative to its origin; `diagonal`: D, mesh units.
 void append(const ViewLine& line, double diagonal, LineSet& to);
 
 /// Lines, cut where their visibility changes.
@@ -105,13 +107,14 @@ public:
     /// Segmentation Using Generalized Winding Numbers", 2013) is above 1/2. Works with holes.
     bool encloses(const Eigen::Vector3d& point) const;
 
-    /// The visible parts of the mesh's own edges and of `lines`, a set from extract_on_surface()
-    /// for each object of the mesh; hidden parts if the options ask for them. @throws
-    /// Error(Cancelled)
+    /// The visible parts of the mesh's own edges and of `lines`, sets from extract_on_surface():
+    /// one, or, where the mesh consists of several, one of each, in any order, in its coordinates.
+    /// Hidden parts of edges if the options ask for them. @throws Error(Cancelled)
     std::vector<ViewLine> visible_lines(const View& view, const std::vector<LineSet>& lines,
                                         const VisibilityOptions& options,
                                         const Progress& progress = {}) const;
 
+    /// The same as sets, with the origin of the first of `lines`.
     LineParts parts(const View& view, const std::vector<LineSet>& lines,
                     const VisibilityOptions& options, const Progress& progress = {}) const;
 

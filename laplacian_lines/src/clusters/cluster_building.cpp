@@ -45,8 +45,8 @@ public:
         data_.border_edge_count = links_.number_count;
         data_.vertex_count = std::uint32_t(mesh_.size());
         judge_borders(sides);
-        if (follows_edges(mesh_, data_.is_cad, field_))
-            data_.horizon = find_edge_horizon(mesh_, sides, data_.is_body);
+        if (follows_edges(mesh_, data_.is_cad, field_))  // is_cad of judge_faces()
+            data_.horizon = find_edge_horizon(mesh_, sides, data_.is_body);  // of judge_borders()
         find_convex();
         stage.report(kLinked);
         data_.memory_of_clusters = large_array<ExtractorData::Unit>(lay_out());
@@ -70,6 +70,7 @@ private:
                 convex_around_[t[0]] = convex_around_[t[1]] = convex_around_[t[2]] = 0;
     }
 
+    /// Whether the mesh is one of CAD, and what its faces are.
     void judge_faces(const CornerTable& sides) {
         const FlatFaces faces = flat_faces(mesh_, sides);
         data_.flat_share = faces.share;
@@ -80,6 +81,7 @@ private:
         featureless_ = find_featureless_triangles(mesh_, shapes_);
     }
 
+    /// Whether the mesh is a sheet, a closed body or neither.
     void judge_borders(const CornerTable& sides) {
         const double borders = sum_of(sides.side_count(), [&](std::size_t i) {
             const auto side = std::uint32_t(i);
@@ -197,7 +199,7 @@ private:
         const std::uint32_t first = partition_.ranges[c].begin;
         const auto mark = [&](std::uint64_t* bits, const auto& is_marked) {
             for (unsigned i = 0; i < cluster.triangle_count; ++i)
-                bits[i / kMaskGroup] |= std::uint64_t(is_marked(i)) << i % kMaskGroup;
+                bits[i / kMaskGroup] |= std::uint64_t(is_marked(i) ? 1 : 0) << i % kMaskGroup;
         };
         const auto all_corners = [&](const std::vector<std::uint8_t>& vertices) {
             return [&](unsigned i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Eq. 2 of Laplacian Lines (Zhang, He, Seah) at every vertex,
+// Eq. 2 of Laplacian Lines at every vertex,
 //     Δn(p) = 1/(4πh²) Σ_q m_q exp(−‖q − p‖²/4h) (n_q − n_p):
 //  1. Find where a direct sum may be cut off: where what is left of it is the accuracy asked for.
 //  2. Take the cheaper way to sum: so, or on a grid (sums/gaussian_sums.h).

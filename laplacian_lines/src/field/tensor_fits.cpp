@@ -22,9 +22,9 @@ namespace {
 // Largest radius for C, in mean edges: more is slower, not better. S̄'s is reduced by the same
 // factor.
 constexpr double kMostDerivativeReach = 16;
-constexpr double kLargestCurvature = 1e15;  // 1/D; sums of it with squares of lengths stay floats
-// Smallest variance of the neighbours' positions over all directions, in squared radii: 1/8 inside,
-// 1/20 at a border.
+constexpr double kLargestEntry = 1e15;  // of S, 1/D; sums with squares of lengths stay floats
+// Least variance of the neighbours' positions in any direction, in squared radii; it is about 1/8
+// inside and 1/20 at a border.
 constexpr double kLeastVariance = 0.004;
 constexpr double kMostCost = 1e7;  // as pairs_cost() has it: about ten seconds
 
@@ -60,8 +60,8 @@ LeafSources<TensorSource> sources_of(const PreparedMesh& mesh, const SpatialTree
                                      const Field& field) {
     const double mass = sum_of(mesh.size(), [&](std::size_t v) { return mesh.masses[v]; });
     const double per_mass = mass > 0 ? double(mesh.size()) / mass : 0;
-    const auto bounded = [&](float x) {
-        return float(std::clamp(mesh.diagonal * x, -kLargestCurvature, kLargestCurvature));
+    const auto entry = [&](float x) {
+        return float(std::clamp(mesh.diagonal * x, -kLargestEntry, kLargestEntry));
     };
     return {mesh, tree, [&](std::uint32_t v) {
                 const Eigen::Vector3f& n = field.normals[mesh.original_vertex[v]];
@@ -69,8 +69,8 @@ LeafSources<TensorSource> sources_of(const PreparedMesh& mesh, const SpatialTree
                 TensorSource source = {};
                 source.mass = float(mesh.masses[v] * per_mass);
                 std::copy(n.begin(), n.end(), source.normal);
-                source.xx = bounded(s.xx), source.yy = bounded(s.yy), source.zz = bounded(s.zz);
-                source.yz = bounded(s.yz), source.xz = bounded(s.xz), source.xy = bounded(s.xy);
+                source.xx = entry(s.xx), source.yy = entry(s.yy), source.zz = entry(s.zz);
+                source.yz = entry(s.yz), source.xz = entry(s.xz), source.xy = entry(s.xy);
                 return source;
             }};
 }
@@ -97,8 +97,9 @@ void TensorFits::for_each(
             fastest<SlopeLoops>().sum(targets(leaf, radius, begin), sources.data(), count, sums);
             for (std::uint32_t v = begin; v < std::min(begin + kSlopeLanes, leaf.end); ++v) {
                 TensorFit fit = fit_of(sums, v - begin);
+                if (!fit.found) continue;
                 fit.slopes.scale(1 / radius);
-                if (fit.found) take(v, fit);
+                take(v, fit);
             }
         }
     });

@@ -80,7 +80,7 @@ public:
             moment += walk_.area() * walk_.centre();
             facet.is_flat = facet.is_flat || walk_.has_side_within(least_);
             ++count_;
-            facet.bends_back = count_ == 1 && has_side_bent_back();  // false again of two triangles
+            facet.bends_back = count_ == 1 && has_side_bent_back();  // not of two triangles
             if (ends_facet(facet)) break;
             walk_.advance();
         }

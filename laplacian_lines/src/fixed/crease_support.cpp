@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// An edge alone may be one of a bad triangle; those of a form meet others. In this order, since
+// each step looks at what the ones before have kept:
+//  1. Unclear edges go, but single ones between clear edges.
+//  2. Creases that run out from an edge of kEdgeAngle, as mitres of fillets do, are found: they may
+//     end in nothing.
+//  3. Other edges with a loose end go, one after the other.
+//  4. Of the rest, connected edges go of which less than half is strong.
 #include "fixed/crease_edges.h"
 
 #include <algorithm>
@@ -15,7 +22,7 @@ using Eigen::Vector3f;
 using Verdict = CreaseEdge::Verdict;
 
 constexpr float kGoesOn = 0.5f;       // least cosine between two edges of a chain
-constexpr float kLeastStrong = 0.5f;  // of the length
+constexpr float kLeastStrong = 0.5f;  // of the length: most of a net decides for all
 
 class SupportedCreases {
 public:
@@ -56,7 +63,7 @@ private:
         }
     }
 
-    /// All but gaps of one edge in chains that are clear.
+    /// Drops unclear edges, unless clear ones go on straight at both ends.
     void drop_unclear() {
         const auto closes_gap = [&](std::uint32_t i) {
             bool goes_on[2] = {false, false};
@@ -83,25 +90,21 @@ private:
             const std::uint32_t i = open.back();
             open.pop_back();
             for (int end = 0; end < 2; ++end) {
-                const bool is_only_strong = strong_others(i, end) == 1;
-                const bool is_only = edges_at(i, end).size() == 2;
+                int others = 0, strong = 0;
+                for_each_at(i, end, [&](std::uint32_t o, float) {
+                    others += is_kept(o);
+                    strong += edges_[o].is_certain() || edges_[o].is_strong();
+                });
                 for_each_at(i, end, [&](std::uint32_t o, float cosine) {
                     const CreaseEdge& other = edges_[o];
-                    if (runs_out_[o] || other.is_certain() || cosine < kGoesOn) return;
-                    if (!(other.is_strong() ? is_only_strong : is_only)) return;
+                    if (!is_kept(o) || runs_out_[o] || other.is_certain() || cosine < kGoesOn)
+                        return;
+                    if ((other.is_strong() ? strong : others) != 1) return;
                     runs_out_[o] = 1;
                     open.push_back(o);
                 });
             }
         }
-    }
-
-    int strong_others(std::uint32_t i, int end) const {
-        int count = 0;
-        for_each_at(i, end, [&](std::uint32_t o, float) {
-            count += edges_[o].is_certain() || edges_[o].is_strong();
-        });
-        return count;
     }
 
     /// Drops edges with a loose end until there are none.

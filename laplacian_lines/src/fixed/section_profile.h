@@ -27,8 +27,8 @@ public:
     /// Constant beyond the ends of the section.
     float angle(float distance) const;
 
-    /// The largest turn on the way there: angle() up to `distance`, or −angle() if that is
-    /// negative; 0 or more.
+    /// The largest turn on the way there, 0 or more: of angle() if `distance` is positive, of
+    /// −angle() if it is negative.
     float largest_turn(float distance) const;
 
 private:

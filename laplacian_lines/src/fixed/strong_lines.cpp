@@ -14,8 +14,8 @@ namespace {
 
 constexpr float kWeak = 0.5f;      // of the least gradient, for continuations of strong parts
 constexpr float kSharpAngle = 45;  // degrees; sharper pieces count more than their length
-// The ends of a stretch are guesses where more than this share of its points is in triangles so many
-// times as long as it is.
+// The ends of a stretch are guesses where more than this share of its points is in triangles so
+// many times as long as it is.
 constexpr float kMostGuessed = 0.25f, kLongTriangle = 2;
 
 /// In D.
@@ -74,12 +74,14 @@ void StrongLines::append(const ExtractorData& data, const LocalEye& eye,
             const StretchLengths lengths =
                 measure(shown, line.count, rules.least, float(data.diagonal));
             const auto place = [&](std::size_t i) { return whole.first + (begin + i) % period; };
-            std::uint32_t guessed = 0;
-            for (std::size_t i = 0; i < line.count; ++i)
-                guessed += found_.samples[place(i)].triangle > kLongTriangle * lengths.all;
+            const auto is_guessed = [&] {
+                std::uint32_t count = 0;
+                for (std::size_t i = 0; i < line.count; ++i)
+                    count += found_.samples[place(i)].triangle > kLongTriangle * lengths.all;
+                return float(count) > kMostGuessed * float(line.count);
+            };
             if (line.count < 2 || lengths.all < rules.least_length ||
-                lengths.strong < rules.least_strong ||
-                float(guessed) > kMostGuessed * float(line.count)) {
+                lengths.strong < rules.least_strong || is_guessed()) {
                 lines.points.resize(line.first);
                 lines.lines.pop_back();
                 return;

@@ -12,6 +12,8 @@ ZeroLines trace_zeros(const ExtractorData& data, LineKind kind, float least_leng
     const auto node = [&](const Zero& zero) {
         const std::uint32_t number = graph.node(zero.edge);
         if (number == samples.size()) samples.push_back(&zero.sample);
+        // of both triangles, so that their order does not matter
+        if (zero.sample.triangle < samples[number]->triangle) samples[number] = &zero.sample;
         return number;
     };
     for (const ZeroPieces& of_cluster : pieces)

@@ -25,7 +25,7 @@ struct ZeroLines {
         Eigen::Vector3f bend;    ///< S e, of the unit direction e across the line, of either sign
         std::uint32_t side;      ///< of Surface, on which the point lies
         float value;             ///< what the kind of lines measures there, if anything
-        float triangle;          ///< the longest side of a triangle there
+        float triangle;          ///< the longest side of the smaller triangle there
     };
     LineSet lines;                ///< opacity and weight are 1, gradients are not set
     std::vector<Sample> samples;  ///< by point

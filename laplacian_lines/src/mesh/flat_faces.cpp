@@ -15,8 +15,10 @@ namespace {
 // faces, but 0.54 if they are as flat as a lens; housings and plates have from 0.40 on.
 constexpr double kLargeFace = 0.02, kShareOfLarge = 0.33;
 
-// Of a face's area, of the sum of its vectors: neighbours within .1° may turn by more together.
-constexpr double kFlatShare = 0.9998;  // 1° to each side
+// Least share of a face's area that is left of the sum of its area vectors: neighbours within .1°
+// may turn by more together. That of a cylinder's part that turns by 2° to each side, or of two
+// planes that meet at 2°.
+constexpr double kFlatShare = 0.9998;
 
 }  // namespace
 
@@ -63,14 +65,15 @@ FlatFaces flat_faces(const PreparedMesh& mesh, const CornerTable& sides) {
 
 std::vector<FaceShape> face_shapes(const PreparedMesh& mesh, const CornerTable& sides,
                                    const FlatFaces& faces) {
-    // by first triangle: normals times areas, twice, and whether an edge is not sharp
+    // by first triangle: normals times areas, twice; whether an edge is not sharp; whether a
+    // corner's normal is not the face's, or may not be, where normals are those of a scan
     std::vector<Eigen::Vector3d> vectors(faces.face_of.size(), Eigen::Vector3d::Zero());
     std::vector<std::uint8_t> goes_on(faces.face_of.size()), bends(faces.face_of.size(), 1);
+    for (std::uint32_t t = 0; t < faces.face_of.size(); ++t)
+        vectors[faces.face_of[t]] += area_vector(mesh, mesh.triangles[t]);
     for (std::uint32_t side = 0; side < sides.side_count(); ++side) {
         const std::uint32_t t = side / 3, face = faces.face_of[t];
-        if (!faces.has_several[face]) continue;
-        if (side % 3 == 0) vectors[face] += area_vector(mesh, mesh.triangles[t]);
-        if (!sides.has_neighbour(side)) continue;
+        if (!faces.has_several[face] || !sides.has_neighbour(side)) continue;
         const std::uint32_t other = sides.across(side) / 3;
         if (faces.face_of[other] != face &&
             faces.normals[t].dot(faces.normals[other]) > kSharpCosine)

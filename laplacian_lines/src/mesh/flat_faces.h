@@ -28,7 +28,7 @@ struct FlatFaces {
     std::vector<Eigen::Vector3d> normals;   ///< by triangle, unit
     std::vector<std::uint32_t> face_of;     ///< by triangle: the first one of its face
     std::vector<double> areas;              ///< by first triangle, twice, local units
-    std::vector<std::uint8_t> has_several;  ///< by first triangle: others
+    std::vector<std::uint8_t> has_several;  ///< by first triangle: whether it is not the only one
 
     double share = 0;         ///< of the area, in faces of several triangles
     double large_share = 0;   ///< of the area, in faces of at least kLargeFace of it

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How triangles are turned outwards:
 //  1. Neighbours across edges of two triangles are made to agree; what is connected so is a
-//     component, and most of its area stays as it is.
+//     component, with the orientation that most of its area has.
 //  2. A closed component, also one with holes, is turned as a whole if its volume is negative.
 //  3. A closed component inside another one, found by a ray, is a cavity of it or a part within, so
 //     it is turned if that one was. What is inside a cavity decides for itself.
@@ -245,7 +245,7 @@ private:
         return component.is_orientable && component.is_flipped != bool(is_flipped_[t]);
     }
 
-    /// Also reports at how many edges neighbours disagreed.
+    /// Also reports the share of edges at which neighbours still disagree, as on a Möbius strip.
     void flip() {
         const double opposed = sum_of(table_.side_count(), [&](std::size_t i) {
             const auto side = std::uint32_t(i), other = table_.across(side);

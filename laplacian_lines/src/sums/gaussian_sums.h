@@ -42,7 +42,7 @@ struct GaussianSums {
 };
 
 /// Direct summation in float, relative error about 1e-6 (kQuickError if quick) before the cutoff
-/// truncates: positions and normals are relative to the mean of a group of targets. `mesh` is
+/// truncates: positions and normals are relative to those of a leaf. `mesh` is
 /// sorted in space by `tree`.
 GaussianSums gaussian_sums(const PreparedMesh& mesh, const SpatialTree& tree,
                            const std::vector<Eigen::Vector3d>& normals,

@@ -38,7 +38,8 @@ struct GaussianLoops {
     /// Sums all sources for each target.
     void (*sum)(const GaussianTargets& targets, const GaussianSource* sources,
                 std::size_t source_count, GaussianLaneSums& sums);
-    /// With errors of kQuickError, for targets within kQuickRadius √h of the group's centre.
+    /// With errors of kQuickError, for targets within kQuickRadius √h of the leaf's centre: so far
+    /// quick_exp2() can be masked where it leaves its range.
     void (*sum_quickly)(const GaussianTargets& targets, const GaussianSource* sources,
                         std::size_t source_count, GaussianLaneSums& sums);
 };

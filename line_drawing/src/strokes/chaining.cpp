@@ -13,17 +13,19 @@ namespace {
 
 using Eigen::Vector2d;
 
-// in pens of inner lines
-constexpr double kLongestGap = 8;
-constexpr double kMeeting = 2;  // ends so near each other meet
+// In pens of inner lines.
+constexpr double kLongestGap = 8;  // as long as the shortest ring, which else would be a dot
+constexpr double kMeeting = 2;     // ends so near each other meet
 constexpr double kSamePlace = 0.5;
+constexpr double kTangentReach = 3;  // over which the direction of an end is taken
+constexpr double kBendReach = 8;     // 2 √h
+constexpr double kSwelling = 4;      // over which widths pass into each other
+constexpr double kTurnPrice = 8;     // of a turn of 90°: as the longest gap
+
 constexpr double kBridging = 6;           // gaps, over which ends that meet are led to each other
-constexpr double kTangentReach = 3;       // over which the direction of an end is taken
-constexpr double kSwelling = 4;           // over which widths pass into each other
 constexpr double kLongestGapShare = 0.5;  // of the shorter line
 constexpr double kGapCosine = 0.866;      // of 30°, to the way over the gap: an arc turns by 60°
 constexpr double kMeetingCosine = 0.766;  // of 40°
-constexpr double kBendReach = 8;          // 2 √h
 constexpr double kClearBend = 0.524;      // radians: 30°
 constexpr double kCornerCosine = -0.342;  // of 110°; beyond it is another side of the fold
 
@@ -86,6 +88,8 @@ public:
 private:
     End end_of(std::size_t i, bool is_last) const {
         const std::vector<DrawnPoint>& points = lines_[i].points;
+        // The chord over a reach r of an arc of curvature κ leans by κ r / 2 from its tangent. The
+        // difference of two such angles gives κ, and that the turn over kBendReach.
         const Vector2d outwards = outwards_at(points, is_last, kTangentReach * pen_),
                        before = outwards_at(points, is_last, kBendReach * pen_);
         return {i, is_last, (is_last ? points.back() : points.front()).position, outwards,
@@ -106,14 +110,14 @@ private:
         if (a.line == b.line && lengths_[a.line] < kLongestGap * pen_) return {};
         const Vector2d way = b.position - a.position;
         const double gap = way.norm();
-        const double turn = -a.outwards.dot(b.outwards);
+        const double straight = -a.outwards.dot(b.outwards);  // cosine of the turn
         const bool meets = gap <= kMeeting * pen_;
         if (!mixes_kinds_ && (is_contour(a) || is_contour(b)) &&
             (is_contour(a) != is_contour(b) || gap > kSamePlace * pen_))
             return {};
         if (meets) {
             const bool is_corner = gap <= kSamePlace * pen_ && !(is_contour(a) && is_contour(b));
-            if (turn < (is_corner ? kCornerCosine : kMeetingCosine)) return {};
+            if (straight < (is_corner ? kCornerCosine : kMeetingCosine)) return {};
         } else {
             const double shorter = std::min(lengths_[a.line], lengths_[b.line]);
             if (is_edge(a) || is_edge(b) || gap > kLongestGap * pen_ ||
@@ -124,8 +128,8 @@ private:
         if (!is_contour(a) && !is_contour(b) &&
             !turns_one_way({a.bend, angle_between(a.outwards, -b.outwards), -b.bend}))
             return {};
-        if (gap > kSamePlace * pen_ && is_crossed(a, b)) return {};  // which takes longest
-        return gap + (1 - turn) * kLongestGap * pen_;
+        if (gap > kSamePlace * pen_ && is_crossed(a, b)) return {};  // last, as it takes longest
+        return gap + (1 - straight) * kTurnPrice * pen_;
     }
 
     bool meets_other(const End& end) const {
@@ -133,7 +137,7 @@ private:
     }
 
     bool is_crossed(const End& a, const End& b) const {
-        constexpr int samples = 7;
+        constexpr int samples = int(kLongestGap) - 1;  // a pen apart at most
         for (int i = 1; i <= samples; ++i) {
             const double t = double(i) / (samples + 1);
             const auto near = all_.nearest_on((1 - t) * a.position + t * b.position,
@@ -143,36 +147,64 @@ private:
         return false;
     }
 
-    /// The lines that are entered by these ends, one after the other.
-    DrawnLine joined(const std::vector<std::size_t>& way, bool closed) {
-        LineClass widest = LineClass::Fine;
-        double jump = 0;
-        for (const std::size_t e : way) {
-            widest = std::min(widest, lines_[ends_[e].line].line_class);
-            jump = std::max(jump, lines_[ends_[e].line].jump);
-        }
-        DrawnLine result{widest, closed, {}, jump};
-        std::vector<double> seams;
-        bool was_contour = false;
+    /// Points of a line on the way, with weights for the width of the whole.
+    struct Piece {
+        std::vector<DrawnPoint> points;
+        bool is_contour;
+    };
+
+    /// A ring begins and ends within a line.
+    std::vector<Piece> take_pieces(const std::vector<std::size_t>& way, bool is_ring,
+                                   LineClass widest) {
+        std::vector<Piece> pieces;
         for (const std::size_t e : way) {
             DrawnLine& line = lines_[ends_[e].line];
-            const bool is_contour = line.line_class == LineClass::Contour;
             std::vector<DrawnPoint> points = std::move(line.points);
             if (ends_[e].is_last) std::reverse(points.begin(), points.end());
             const double share = full_width(line.line_class) / full_width(widest);
             for (DrawnPoint& point : points)
                 point.weight *= share;
-            if (!result.points.empty()) {
-                cut_overlap(result.points, points);
-                meet(result.points, was_contour, points, is_contour);
-                seams.push_back(length_of(result.points));
-            }
-            was_contour = is_contour;
-            result.points.insert(result.points.end(), points.begin(), points.end());
+            pieces.push_back({std::move(points), line.line_class == LineClass::Contour});
         }
-        if (closed) result.points.push_back(result.points.front());
-        for (const double seam : seams)
-            blend(seam, result.points);
+        if (is_ring) {
+            std::vector<DrawnPoint>& points = pieces.front().points;
+            const auto middle = points.begin() + std::ptrdiff_t(points.size() / 2);
+            const Piece end{{points.begin(), middle + 1}, pieces.front().is_contour};
+            points.erase(points.begin(), middle);
+            pieces.push_back(end);
+        }
+        return pieces;
+    }
+
+    /// The lines that are entered by these ends, one after the other.
+    DrawnLine joined(const std::vector<std::size_t>& way, bool is_ring) {
+        const auto line_of = [this](std::size_t e) -> DrawnLine& { return lines_[ends_[e].line]; };
+        DrawnLine result = with_points(line_of(*std::min_element(way.begin(), way.end(),
+                                                                 [&](std::size_t a, std::size_t b) {
+                                                                     return line_of(a).line_class <
+                                                                            line_of(b).line_class;
+                                                                 })),
+                                       {}, is_ring);
+        for (const std::size_t e : way)
+            result.jump = std::max(result.jump, line_of(e).jump);
+        std::vector<std::size_t> seams;  // the last points before them
+        bool was_contour = false;
+        for (Piece& piece : take_pieces(way, is_ring, result.line_class)) {
+            if (!result.points.empty()) {
+                cut_overlap(result.points, piece.points);
+                meet(result.points, was_contour, piece.points, piece.is_contour);
+                seams.push_back(result.points.size() - 1);
+            }
+            was_contour = piece.is_contour;
+            result.points.insert(result.points.end(), piece.points.begin(), piece.points.end());
+        }
+        if (is_ring) result.points.back() = result.points.front();
+        std::vector<double> places = {0};  // along the line
+        for (std::size_t i = 1; i < result.points.size(); ++i)
+            places.push_back(places.back() +
+                             (result.points[i].position - result.points[i - 1].position).norm());
+        for (const std::size_t seam : seams)
+            blend(places, places[seam], result.points);
         return result;
     }
 
@@ -207,26 +239,24 @@ private:
         return pens_[std::size_t(c == LineClass::Fine ? LineClass::Inner : c)];
     }
 
-    /// Averages widths across the seam.
-    void blend(double seam, std::vector<DrawnPoint>& points) const {
+    /// Averages widths across the seam. `places`: of the points, along the line.
+    void blend(const std::vector<double>& places, double seam,
+               std::vector<DrawnPoint>& points) const {
         const double reach = kSwelling * pen_;
-        double at = 0, sums[2] = {0, 0};
+        double sums[2] = {0, 0};
         int counts[2] = {0, 0};
-        std::vector<double> places(points.size());
         for (std::size_t i = 0; i < points.size(); ++i) {
-            if (i > 0) at += (points[i].position - points[i - 1].position).norm();
-            places[i] = at - seam;
-            const int side = places[i] > 0;
-            const double distance = std::abs(places[i]);
+            const double distance = std::abs(places[i] - seam);
             if (distance < reach / 2 || distance > reach) continue;
+            const int side = places[i] > seam;
             sums[side] += points[i].weight;
             ++counts[side];
         }
         if (counts[0] == 0 || counts[1] == 0) return;
         const double before = sums[0] / counts[0], after = sums[1] / counts[1];
         for (std::size_t i = 0; i < points.size(); ++i)
-            if (std::abs(places[i]) < reach / 2)
-                points[i].weight = before + (after - before) * (places[i] / reach + 0.5);
+            if (std::abs(places[i] - seam) < reach / 2)
+                points[i].weight = before + (after - before) * ((places[i] - seam) / reach + 0.5);
     }
 
     std::vector<DrawnLine> lines_;

@@ -3,7 +3,7 @@
 //  1. A short line that was left out comes back if it leads from such a loose end to another line.
 //  2. An edge that has passed another ends there.
 //  3. From the other loose ends a straight piece leads to the nearest line, if it is beside them.
-#include <algorithm>
+#include <optional>
 
 #include "strokes/drawn_lines.h"
 #include "strokes/strokes.h"

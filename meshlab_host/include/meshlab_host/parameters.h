@@ -18,7 +18,8 @@ void add_parameter(const laplacian_lines::OptionDescription& option,
                    double diagonal = 0, const QString& prefix = QString());
 
 /// `fallback` if the list lacks it. @throws laplacian_lines::Error(InvalidOption) that names label,
-/// value and what is allowed, if the value is not or of another type
+/// value and what is allowed, unless the value is in the option's range and of its kind; numbers
+/// may be of any type of number
 laplacian_lines::OptionValue read_parameter(const laplacian_lines::OptionDescription& option,
                                             const laplacian_lines::OptionValue& fallback,
                                             const RichParameterList& list,
@@ -38,7 +39,7 @@ void read_parameter(const laplacian_lines::OptionRow<Options>& row, Options& opt
 /// names label, text and what is allowed
 double number_in(const QString& text, const laplacian_lines::OptionDescription& option);
 
-/// As its field in a dialog shows it.
+/// As its field in a dialog shows it. A value of the option.
 QString text_of(double value, const laplacian_lines::OptionDescription& option);
 
 }  // namespace meshlab_host

@@ -8,7 +8,8 @@
 namespace laplacian_lines {
 namespace SIMD_SET {
 
-/// More than rounding does to a sum of products of about 1 with what it is a factor of.
+/// Of the sum of the terms' sizes: more than rounding makes of n·e − w n·p, which may be far
+/// smaller than its terms.
 constexpr float kRoundingMargin = 1e-5f;
 
 /// Bounds of n·(e − w p) over the vertices of kFormGroup clusters.
@@ -30,7 +31,6 @@ static inline FacingRange bound_facing(const FacingBounds& bounds, const float e
             reach += absolute(dot(a, towards));
             size += absolute(a.x) + absolute(a.y) + absolute(a.z);
         }
-        // The forms are summed from e and n·p, which may be larger than what is left of them.
         reach += kRoundingMargin * size * summed;
         const Floats middle = dot(n, towards) - w * load(bounds.height + i);
         store(range.low + i, middle - reach);
@@ -39,6 +39,8 @@ static inline FacingRange bound_facing(const FacingBounds& bounds, const float e
     return range;
 }
 
+/// See StripFunctions. Writes to as many of `kept` as there are clusters, also behind those that it
+/// counts.
 template <class Kinds>
 static std::size_t cull(const ClusterStore& store, const ExtractionTask& task, std::size_t begin,
                         std::size_t end, KeptCluster* kept) {
@@ -50,7 +52,7 @@ static std::size_t cull(const ClusterStore& store, const ExtractionTask& task, s
             KeptCluster& cluster = kept[count];
             cluster.number = std::uint32_t(first + i);
             bool any = false, front = low >= 0;
-            // Refused by what is certain, so that nothing is where numbers are out of range.
+            // Comparisons with NaN are false, so that it excludes nothing.
             Kinds::for_each([&](auto kind, unsigned number) {
                 const ExtractionTask::Wanted& wanted = task.kinds[Kinds::kFirst + number];
                 const bool excluded =
@@ -67,9 +69,9 @@ static std::size_t cull(const ClusterStore& store, const ExtractionTask& task, s
     return count;
 }
 
-/// Reads memory once. Caches fetch many lines at a time only if nothing waits for the first of
-/// them.
-static inline void touch(const unsigned char* begin, const unsigned char* end) {
+/// Reads memory once. None of these loads waits for another, so that many cache misses are served
+/// at a time.
+static inline void touch_bytes(const unsigned char* begin, const unsigned char* end) {
     unsigned char sum = 0;
     for (; begin < end; begin += kCacheUnit)
         sum = (unsigned char)(sum ^ *begin);
@@ -78,7 +80,7 @@ static inline void touch(const unsigned char* begin, const unsigned char* end) {
 
 /// Reads what find_active() will go through.
 template <class Kinds>
-static inline void touch(const ClusterStore& store, const KeptCluster& kept) {
+static inline void touch_cluster(const ClusterStore& store, const KeptCluster& kept) {
     const Cluster& cluster = store.clusters[kept.number];
     const unsigned char* memory = memory_of(store, cluster);
     const ClusterLayout layout = cluster_layout(cluster);
@@ -86,18 +88,19 @@ static inline void touch(const ClusterStore& store, const KeptCluster& kept) {
     Kinds::for_each([&](auto kind, unsigned number) {
         if (kept.may_hold[number]) forms |= kind.kForms;
     });
-    if (forms >> kFacingForm & 1) touch(memory, memory + layout.corners);
+    const std::size_t form_bytes = form_groups(cluster) * sizeof(FormGroup);
+    if (forms >> kFacingForm & 1) touch_bytes(memory, memory + form_bytes);
     if (forms >> kLaplacianForm & 1) {
         const auto* laplacians =
             reinterpret_cast<const unsigned char*>(store.laplacians + cluster.first_form_group);
-        touch(laplacians, laplacians + layout.corners);
+        touch_bytes(laplacians, laplacians + form_bytes);
     }
     if (Kinds::kReadsCurvatures) {
         const CurvatureRecord* curvatures = store.curvatures + cluster.first_vertex;
-        touch(reinterpret_cast<const unsigned char*>(curvatures),
-              reinterpret_cast<const unsigned char*>(curvatures + cluster.vertex_count));
+        touch_bytes(reinterpret_cast<const unsigned char*>(curvatures),
+                    reinterpret_cast<const unsigned char*>(curvatures + cluster.vertex_count));
     }
-    touch(memory + layout.corners, memory + layout.records);
+    touch_bytes(memory + layout.corners, memory + layout.records);
 }
 
 /// Fills in what a batch knows of its clusters, and reads what their signs are found from.
@@ -113,7 +116,7 @@ static inline void begin_batch(const ClusterStore& store, const KeptCluster* clu
         batch.record_offsets[i] = cluster.first_unit +
                                   std::uint32_t(layout.records / sizeof(VertexRecord)) -
                                   std::uint32_t(i * kClusterVertices);
-        touch<Kinds>(store, clusters[i]);
+        touch_cluster<Kinds>(store, clusters[i]);
     }
 }
 
