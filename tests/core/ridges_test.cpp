@@ -87,6 +87,41 @@ double median_angle(const LineSet& lines) {
 
 /// A narrower one turns by all of its angle, whatever triangles it is made of; less where normals
 /// are smoothed over more than 1 % of D.
+/// [−1, 1]³ with edges of this radius in eight strips as long as they, as CAD programs write it.
+TriangleMesh rounded_box(double radius) {
+    constexpr int kStrips = 8, kPoints = kStrips + 1;
+    const double middle = 1 - radius;
+    TriangleMesh box = test_meshes::grid_mesh(
+        {4 * kPoints, 2 * kPoints - 1, true, false}, [&](double u, double v) {
+            const int i = int(std::lround(u * 4 * kPoints)), corner = i / kPoints,
+                      ring = int(std::lround(v * (2 * kPoints - 1))), upper = ring / kPoints;
+            const double turn = M_PI / 2 / kStrips,
+                         around = turn * (kStrips * corner + i % kPoints),
+                         up = turn * (ring % kPoints - (upper ? 0 : kStrips));
+            const Eigen::Vector3d centre(corner == 0 || corner == 3 ? middle : -middle,
+                                         corner < 2 ? middle : -middle, upper ? middle : -middle);
+            return Eigen::Vector3d(
+                centre + radius * Eigen::Vector3d(std::cos(up) * std::cos(around),
+                                                  std::cos(up) * std::sin(around), std::sin(up)));
+        });
+    for (const double z : {-1., 1.}) {
+        const auto first = std::uint32_t(box.positions.size());
+        for (const double x : {-middle, middle})
+            for (const double y : {-middle, middle})
+                box.positions.push_back({x, z * y, z});
+        box.triangles.push_back({first, first + 2, first + 1});
+        box.triangles.push_back({first + 1, first + 2, first + 3});
+    }
+    return box;
+}
+
+TEST(Ridges, FollowRoundedEdgesOfCadMeshes) {
+    for (const double radius : {0.03, 0.06}) {
+        const LineSet lines = crests_from_above(rounded_box(radius), LineKind::Ridge);
+        EXPECT_GE(helpers::total_length(lines), 12 * 2 * (1 - radius) / std::sqrt(12.)) << radius;
+    }
+}
+
 TEST(Ridges, HaveTheSameAngleAtAnyResolution) {
     struct Resolution {
         int cells;

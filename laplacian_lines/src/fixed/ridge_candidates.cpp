@@ -14,9 +14,6 @@ namespace {
 constexpr float kDominance = 2;
 // 1/D; smaller curvatures are those of the whole form.
 constexpr float kLeastCurvature = 4;
-// D; within larger triangles the place of the largest bend is unknown.
-constexpr float kLongestPiece = 0.06f;
-constexpr float kMostOfLongPieces = 0.25f;  // of a line's length
 
 /// The largest curvature at a vertex.
 struct Bend {
@@ -104,30 +101,11 @@ private:
     Bend bends_[kClusterVertices];
 };
 
-/// Whether too much of a line runs within long triangles, such as those of a CAD part's fillets,
-/// which have vertices only at their ends.
-bool is_guessed(const Polyline& line, const LinePoint* points, float diagonal) {
-    float guessed = 0;
-    for (std::uint32_t i = 1; i < line.count; ++i) {
-        const float piece = length_of(points[i].position - points[i - 1].position) / diagonal;
-        if (piece > kLongestPiece) guessed += piece;
-    }
-    return guessed > kMostOfLongPieces * line.length;
-}
-
 }  // namespace
 
 RidgeCandidates find_ridge_candidates(const ExtractorData& data, Crest crest) {
-    RidgeCandidates found = find_zero_lines<ClusterRidges>(
-        data, crest.kind, kLeastRidgeLength / kMostSharpness, crest.sign);
-    std::vector<Polyline>& lines = found.lines.lines;
-    lines.erase(std::remove_if(lines.begin(), lines.end(),
-                               [&](const Polyline& line) {
-                                   return is_guessed(line, found.lines.points.data() + line.first,
-                                                     float(data.diagonal));
-                               }),
-                lines.end());
-    return found;
+    return find_zero_lines<ClusterRidges>(data, crest.kind, kLeastRidgeLength / kMostSharpness,
+                                          crest.sign);
 }
 
 }  // namespace laplacian_lines

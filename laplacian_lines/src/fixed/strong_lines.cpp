@@ -5,6 +5,7 @@
 
 #include "fixed/line_copies.h"
 #include "fixed/line_smoothing.h"
+#include "fixed/surface_walk.h"
 #include "rules/thresholds.h"
 #include "system/chains.h"
 #include "system/three_floats.h"
@@ -14,9 +15,12 @@ namespace {
 
 constexpr float kWeak = 0.5f;      // of the least gradient, for continuations of strong parts
 constexpr float kSharpAngle = 45;  // degrees; sharper pieces count more than their length
-// The ends of a stretch are guesses where more than this share of its points is in triangles so
-// many times as long as it is.
-constexpr float kMostGuessed = 0.25f, kLongTriangle = 2;
+// Within a large triangle the place of a line is a guess, but along all of the narrow strips of a
+// rounded edge.
+constexpr float kLongPiece = 0.06f, kHighStrip = 0.01f;  // D
+// Sides of triangles, in lengths of the stretch; its ends are guesses as well within the first.
+constexpr float kLongTriangle = 2, kWholeStrip = 1.1f;
+constexpr float kMostGuessed = 0.25f;  // of the length of a stretch
 
 /// In D.
 struct StretchLengths {
@@ -37,6 +41,23 @@ StretchLengths measure(const LinePoint* points, std::uint32_t count, float least
         lengths.strong = std::max(lengths.strong, strong);
     }
     return lengths;
+}
+
+/// The length of what is a guess of a stretch of `all`, D. `sample(i)`: at its points.
+template <class SampleAt>
+float guessed_length(const LinePoint* points, std::uint32_t count, const SampleAt& sample,
+                     float all, float diagonal) {
+    float guessed = 0;
+    for (std::uint32_t i = 1; i < count; ++i) {
+        const ZeroLines::Sample &a = sample(i - 1), &b = sample(i);
+        const float length = length_of(points[i].position - points[i - 1].position) / diagonal;
+        const float triangle = std::min(a.triangle, b.triangle);
+        const bool is_edge = std::min(points[i - 1].gradient, points[i].gradient) >= kEdgeAngle &&
+                             std::min(a.height, b.height) <= kHighStrip &&
+                             triangle <= kWholeStrip * all;
+        if (triangle > kLongTriangle * all || (length > kLongPiece && !is_edge)) guessed += length;
+    }
+    return guessed;
 }
 
 float contour_opacity(const ExtractorData& data, const LocalEye& eye, float clearance,
@@ -74,14 +95,13 @@ void StrongLines::append(const ExtractorData& data, const LocalEye& eye,
             const StretchLengths lengths =
                 measure(shown, line.count, rules.least, float(data.diagonal));
             const auto place = [&](std::size_t i) { return whole.first + (begin + i) % period; };
-            const auto is_guessed = [&] {
-                std::uint32_t count = 0;
-                for (std::size_t i = 0; i < line.count; ++i)
-                    count += found_.samples[place(i)].triangle > kLongTriangle * lengths.all;
-                return float(count) > kMostGuessed * float(line.count);
+            const auto sample = [&](std::size_t i) -> const ZeroLines::Sample& {
+                return found_.samples[place(i)];
             };
             if (line.count < 2 || lengths.all < rules.least_length ||
-                lengths.strong < rules.least_strong || is_guessed()) {
+                lengths.strong < rules.least_strong ||
+                guessed_length(shown, line.count, sample, lengths.all, float(data.diagonal)) >
+                    kMostGuessed * lengths.all) {
                 lines.points.resize(line.first);
                 lines.lines.pop_back();
                 return;
@@ -93,8 +113,7 @@ void StrongLines::append(const ExtractorData& data, const LocalEye& eye,
                     left_out && (*left_out)[place(i)]
                         ? 0
                         : rise(point.gradient, weak, weak * (1 + rules.fading)) *
-                              contour_opacity(data, eye, rules.clearance, point,
-                                              found_.samples[place(i)]);
+                              contour_opacity(data, eye, rules.clearance, point, sample(i));
             }
             smooth_positions(line, shown, rules.smoothing_passes);
         });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fixed/zero_lines.h"
 
+#include <algorithm>
+
 #include "fixed/piece_graph.h"
 
 namespace laplacian_lines {
@@ -8,12 +10,13 @@ namespace laplacian_lines {
 ZeroLines trace_zeros(const ExtractorData& data, LineKind kind, float least_length,
                       const std::vector<ZeroPieces>& pieces) {
     PieceGraph graph;
-    std::vector<const ZeroLines::Sample*> samples;  // by node
+    std::vector<ZeroLines::Sample> samples;  // by node
     const auto node = [&](const Zero& zero) {
         const std::uint32_t number = graph.node(zero.edge);
-        if (number == samples.size()) samples.push_back(&zero.sample);
-        // of both triangles, so that their order does not matter
-        if (zero.sample.triangle < samples[number]->triangle) samples[number] = &zero.sample;
+        if (number == samples.size()) samples.push_back(zero.sample);
+        ZeroLines::Sample& sample = samples[number];
+        sample.triangle = std::min(sample.triangle, zero.sample.triangle);
+        sample.height = std::max(sample.height, zero.sample.height);
         return number;
     };
     for (const ZeroPieces& of_cluster : pieces)
@@ -25,7 +28,7 @@ ZeroLines trace_zeros(const ExtractorData& data, LineKind kind, float least_leng
     for (const PieceGraph::Line& line : graph.lines()) {
         const Polyline& traced = append_line(
             data, kind, line,
-            [&](std::uint32_t n) -> const Eigen::Vector3f& { return samples[n]->position; },
+            [&](std::uint32_t n) -> const Eigen::Vector3f& { return samples[n].position; },
             found.lines);
         if (traced.length < least_length) {
             found.lines.points.resize(traced.first);
@@ -33,7 +36,7 @@ ZeroLines trace_zeros(const ExtractorData& data, LineKind kind, float least_leng
             continue;
         }
         for (const std::uint32_t n : line.nodes)
-            found.samples.push_back(*samples[n]);
+            found.samples.push_back(samples[n]);
     }
     return found;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,6 +26,7 @@ struct ZeroLines {
         std::uint32_t side;      ///< of Surface, on which the point lies
         float value;             ///< what the kind of lines measures there, if anything
         float triangle;          ///< the longest side of the smaller triangle there
+        float height;            ///< the least height of the larger one
     };
     LineSet lines;                ///< opacity and weight are 1, gradients are not set
     std::vector<Sample> samples;  ///< by point
@@ -54,10 +55,12 @@ template <class Ends>
 ZeroPiece zero_piece(const PlacedCluster& placed, unsigned triangle, const bool is_negative[3],
                      const Ends& ends) {
     const auto& corners = placed.triangle(triangle).corners;
-    float longest = 0;
-    for (unsigned k = 0; k < 3; ++k)
-        longest = std::max(longest, length_of(position_of(placed.records[corners[(k + 1) % 3]]) -
-                                              position_of(placed.records[corners[k]])));
+    const Eigen::Vector3f p = position_of(placed.records[corners[0]]),
+                          to_second = position_of(placed.records[corners[1]]) - p,
+                          to_third = position_of(placed.records[corners[2]]) - p;
+    const float longest =
+        std::max({length_of(to_second), length_of(to_third), length_of(to_third - to_second)});
+    const float height = longest > 0 ? length_of(to_second.cross(to_third)) / longest : 0;
     ZeroPiece piece{};
     std::size_t found = 0;
     for (unsigned k = 0; k < 3; ++k) {
@@ -76,7 +79,7 @@ ZeroPiece zero_piece(const PlacedCluster& placed, unsigned triangle, const bool 
                            (1 - t) * normal_of(p) + t * normal_of(q),
                            (1 - t) * of.first.bend + t * of.second.bend,
                            3 * (placed.first_triangle + triangle) + k,
-                           (1 - t) * of.first.value + t * of.second.value, longest}};
+                           (1 - t) * of.first.value + t * of.second.value, longest, height}};
     }
     return piece;
 }
