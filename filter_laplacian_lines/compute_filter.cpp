@@ -57,10 +57,6 @@ QString mesh_line(const MeshReport& report) {
         .arg(report.triangles);
 }
 
-QString counted(std::size_t count, const char* one, const char* several) {
-    return QString("%1 %2").arg(count).arg(count == 1 ? one : several);
-}
-
 /// Empty if all was used.
 QString dropped_line(const MeshReport& report) {
     QStringList parts;

@@ -14,5 +14,10 @@ meshlab_host::Filter polyline_filter();
 /// A measured drawing, as a file, of a layer as it stands in the world.
 meshlab_host::Filter drawing_filter();
 
+/// "1 vertex", "12 vertices"
+inline QString counted(std::size_t count, const char* one, const char* several) {
+    return QString("%1 %2").arg(count).arg(count == 1 ? one : several);
+}
+
 /// All, in the order of the plugin's actions.
 meshlab_host::FilterList make_filters();

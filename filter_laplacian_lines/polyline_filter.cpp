@@ -26,8 +26,6 @@
 #include "polyline_view.h"
 #include "world_layers.h"
 
-using laplacian_lines::Error;
-using laplacian_lines::ErrorCode;
 using laplacian_lines::LineSet;
 using laplacian_lines::View;
 
@@ -45,36 +43,37 @@ struct Source {
         : triangles(meshlab_host::to_triangle_mesh(mesh.cm)),
           name(mesh.label()),
           transform(mesh.cm.Tr),
-          layer(meshlab_host::layer_transform(mesh.cm)) {}
+          to_world(meshlab_host::layer_transform(mesh.cm)) {}
 
     laplacian_lines::TriangleMesh triangles;
     QString name;
     Matrix44m transform;
-    Eigen::Matrix4d layer;
+    Eigen::Matrix4d to_world;
 };
 
-/// Triangles at far vertices are slivers without lines, but rounding would make them hide all
-/// others.
-void refuse_far_vertices(const Source& source) {
+/// D of what is drawn. Refuses triangles at far vertices: slivers without lines, but rounding would
+/// make them hide all others, and let the eye seem enclosed.
+double drawn_diagonal(const Source& source) {
     constexpr double most = 1e6;  // diagonals of what has lines
     const double all = line_drawing::bounds_of(source.triangles).diagonal().stableNorm();
-    const double drawn = laplacian_lines::measure_scale(source.triangles, {}).diagonal;
-    if (!(all > most * drawn)) return;
-    throw Error(
-        ErrorCode::InvalidMesh,
-        QString("The mesh is %1 across, but what can be drawn of it is %2: vertices lie far "
-                "off. Delete them and their faces first.")
-            .arg(all)
-            .arg(drawn)
-            .toStdString());
+    const double drawn = laplacian_lines::measure_scale(source.triangles).diagonal;
+    if (all > most * drawn)
+        laplacian_lines::refuse(
+            QString("The mesh is %1 across, but what can be drawn of it is %2: vertices lie far "
+                    "off. Delete them and their faces first.")
+                .arg(all)
+                .arg(drawn)
+                .toStdString(),
+            laplacian_lines::ErrorCode::InvalidMesh);
+    return drawn;
 }
 
-/// Of the layer in its own coordinates.
-LineSet line_set_of(std::vector<laplacian_lines::ViewLine> lines, const Source& source) {
+/// Lines in world coordinates, as a set in those of the layer.
+LineSet line_set_of(std::vector<laplacian_lines::ViewLine> lines, const Source& source,
+                    double diagonal) {
     LineSet set;
     set.origin = line_drawing::bounds_of(source.triangles).center();
-    const double diagonal = laplacian_lines::measure_scale(source.triangles, {}).diagonal;
-    const Eigen::Affine3d to_layer(source.layer.inverse());
+    const Eigen::Affine3d to_layer(source.to_world.inverse());
     for (laplacian_lines::ViewLine& line : lines) {
         for (laplacian_lines::ViewLinePoint& point : line.points)
             point.position = to_layer * point.position;
@@ -83,10 +82,10 @@ LineSet line_set_of(std::vector<laplacian_lines::ViewLine> lines, const Source& 
     return set;
 }
 
-/// The strokes of a drawing, with the kernel that it would have.
+/// The strokes of a drawing, with the kernel that it would have; `diagonal`: of the layer.
 LineSet strokes(const Source& source, const line_drawing::ViewFrame& frame,
-                const PolylineParameters& chosen, const meshlab_host::FilterRun& run) {
-    refuse_far_vertices(source);
+                const PolylineParameters& chosen, const meshlab_host::FilterRun& run,
+                double diagonal) {
     line_drawing::SheetOptions options;
     options.style = line_drawing::style_on_paper(chosen.style);
     if (chosen.light_azimuth) options.light = meshlab_host::towards_light(*chosen.light_azimuth);
@@ -95,12 +94,13 @@ LineSet strokes(const Source& source, const line_drawing::ViewFrame& frame,
     return line_set_of(line_drawing::strokes_of(
                            objects_of(placed), frame, options,
                            meshlab_host::progress_to(run.progress, kPlacedShare, kStrokesShare)),
-                       source);
+                       source, diagonal);
 }
 
-/// Also those that the surface hides.
-LineSet all_lines(const Source& source, const View& view, const PolylineParameters& chosen,
-                  const meshlab_host::FilterRun& run) {
+/// All lines of the view, also those that the surface hides.
+LineSet all_lines(const Source& source, const line_drawing::ViewFrame& frame,
+                  const PolylineParameters& chosen, const meshlab_host::FilterRun& run) {
+    const View view = view_of(frame, chosen, source.to_world);
     const CMeshO& mesh = run.document.mm()->cm;
     meshlab_host::FieldSource field_source = meshlab_host::field_source(mesh);
     if (chosen.style.shows.needs_derivatives())
@@ -109,7 +109,6 @@ LineSet all_lines(const Source& source, const View& view, const PolylineParamete
     const laplacian_lines::Field field = meshlab_host::find_or_compute_field(
         mesh, triangles, source.name, field_source, run.say,
         meshlab_host::progress_to(run.progress, 0, kFieldShare));
-    refuse_far_vertices(source);
     if (view.w != 0 &&
         laplacian_lines::LineVisibility(
             triangles, meshlab_host::progress_to(run.progress, kFieldShare, kSightShare))
@@ -141,19 +140,21 @@ void add_layer(const LineSet& lines, const Source& source, const meshlab_host::K
 QString kinds_text(const LineSet& lines) {
     std::array<std::size_t, laplacian_lines::kLineKindCount> counts{};
     for (const auto& line : lines.lines)
-        ++counts.at(std::size_t(line.kind));
+        ++counts[std::size_t(line.kind)];
     QStringList parts;
     for (const auto& kind : laplacian_lines::kLineKinds)
         if (const std::size_t count = counts[std::size_t(kind.kind)])
-            parts << QString("%1 %2").arg(count).arg(count == 1 ? kind.one : kind.many);
+            parts << counted(count, kind.one, kind.many);
     return parts.join(", ");
 }
 
-/// Records the view for scripts.
+/// Records the eye, or the direction to it, for scripts; not how the window's picture was turned,
+/// nor its axis in perspective: strokes, whose kernel follows the picture's size, may differ then.
 void record_view(const meshlab_host::FilterRun& run, PolylineParameters seen,
                  const line_drawing::ViewFrame& frame) {
     seen.view = frame.eye ? ViewChoice::Perspective : ViewChoice::Orthographic;
-    (frame.eye ? seen.viewpoint : seen.view_direction) = frame.eye.value_or(frame.towards_viewer);
+    seen.view_direction = frame.towards_viewer;
+    seen.viewpoint = frame.eye.value_or(seen.viewpoint);
     RichParameterList recorded;
     list_polyline_parameters(seen, recorded);
     meshlab_host::record_as(kFilterName, recorded, run.document);
@@ -168,11 +169,11 @@ void run(const meshlab_host::FilterRun& run) {
     const MeshModel& mesh = *run.document.mm();
     const Source source(mesh);
     Eigen::AlignedBox3d box = line_drawing::bounds_of(source.triangles);
-    if (!box.isEmpty()) box.transform(Eigen::Affine3d(source.layer));
+    if (!box.isEmpty()) box.transform(Eigen::Affine3d(source.to_world));
     const auto frame = frame_of(chosen, box.center(), meshlab_host::current_view());
-    const View view = view_of(frame, chosen, source.layer);
-    const LineSet lines = chosen.visible_only ? strokes(source, frame, chosen, run)
-                                              : all_lines(source, view, chosen, run);
+    const double diagonal = drawn_diagonal(source);
+    const LineSet lines = chosen.visible_only ? strokes(source, frame, chosen, run, diagonal)
+                                              : all_lines(source, frame, chosen, run);
     if (lines.lines.empty())
         laplacian_lines::refuse(
             "No lines are seen from there, so no layer was created. Take another view, "

@@ -23,31 +23,31 @@ WorldLayer copy_layer(const MeshModel& layer, const FilterRun& run, const Progre
     const Eigen::Matrix4d transform = meshlab_host::layer_transform(layer.cm);
     const meshlab_host::FieldSource source = meshlab_host::field_source(layer.cm);
     WorldLayer result{layer.label(), meshlab_host::to_drawn_mesh(layer.cm), {}};
-    if (source.status == meshlab_host::FieldStatus::Current) {
-        if (meshlab_host::similarity_of(transform)) {
-            result.field = meshlab_host::find_or_compute_field(layer.cm, result.mesh, result.name,
-                                                               source, run.say, progress);
-        } else {
-            run.say(
-                QString("%1 is stretched or mirrored by its transformation: its lines are computed "
-                        "anew for the shape that results.")
-                    .arg(result.name));
-            result.field.emplace();  // by apply_transform()
-        }
-    }
+    const bool has_field = source.status == meshlab_host::FieldStatus::Current;
+    const bool is_anew = has_field && !meshlab_host::similarity_of(transform);
+    if (is_anew)
+        result.field.emplace();  // a place for what apply_transform() computes
+    else if (has_field)
+        result.field = meshlab_host::find_or_compute_field(layer.cm, result.mesh, result.name,
+                                                           source, run.say, progress);
     meshlab_host::apply_transform(transform, source.options, result.mesh, result.field, progress);
-    if (!result.field)
-        laplacian_lines::measure_scale(result.mesh, {});  // refuses what cannot be drawn
+    if (is_anew)
+        run.say(QString("%1 is stretched or mirrored by its transformation: its lines were "
+                        "computed anew for the shape that results.")
+                    .arg(result.name));
+    // refuses now, for this layer alone, what the drawing would refuse as a whole
+    if (!result.field) laplacian_lines::measure_scale(result.mesh);
     return result;
 }
 
-void copy_visible_layers(const FilterRun& run, double share, WorldLayers& placed) {
+WorldLayers copy_visible_layers(const FilterRun& run, double share) {
+    WorldLayers placed;
     const std::vector<int> ids = meshlab_host::layer_ids(run.document, true);
     const double step = share / double(ids.size());
     for (std::size_t i = 0; i < ids.size(); ++i) {
         const MeshModel* layer = run.document.getMesh(ids[i]);  // may have gone meanwhile
         if (!layer) continue;
-        const QString name = layer->label();
+        const QString name = layer->label();  // the layer may be gone when it is needed
         if (layer->cm.fn == 0) {
             run.say(QString("%1 is left out of the drawing: it has no faces.").arg(name));
             continue;
@@ -65,6 +65,7 @@ void copy_visible_layers(const FilterRun& run, double share, WorldLayers& placed
         laplacian_lines::refuse(
             "No visible layer can be drawn. Show one that has faces, or set \"Layers\" to "
             "0 (Current Layer).");
+    return placed;
 }
 
 }  // namespace
@@ -73,13 +74,13 @@ WorldLayers copy_layers(const LayerChoice& choice, const FilterRun& run, double 
     const double fields = choice.derivatives ? kFieldShare * share : share;
     WorldLayers placed;
     if (choice.all_visible)
-        copy_visible_layers(run, fields, placed);
+        placed = copy_visible_layers(run, fields);
     else
         placed.push_back(copy_layer(*run.document.mm(), run,
                                     meshlab_host::progress_to(run.progress, 0, fields)));
     if (!choice.derivatives) return placed;
+    const double step = (share - fields) / double(placed.size());
     double begin = fields;
-    const double step = (share - begin) / double(placed.size());
     for (WorldLayer& layer : placed) {
         if (layer.field)
             meshlab_host::ensure_derivatives(

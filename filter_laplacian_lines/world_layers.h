@@ -30,6 +30,7 @@ struct LayerChoice {
 WorldLayers copy_layers(const LayerChoice& choice, const meshlab_host::FilterRun& run,
                         double share);
 
+/// They refer to the layers, which outlive them.
 line_drawing::Objects objects_of(const WorldLayers& layers);
 /// "a.ply, b.ply"
 QString names_of(const WorldLayers& layers);

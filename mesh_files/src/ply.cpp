@@ -241,8 +241,8 @@ private:
         }
     }
 
-    static constexpr std::int64_t kNoIndex =
-        -2;  // refused like others out of range; −1 ends strips
+    // refused as others out of range are; not −1, which ends strips
+    static constexpr std::int64_t kNoIndex = -2;
 
     /// -1 ends a strip; every second triangle is reversed.
     void add_strips() {

@@ -21,9 +21,9 @@ Json provenance_of(const std::string& name) {
     if (!read) refuse("\"" + name + "\" cannot be read.");
     const std::optional<Json> object = json_in(line_drawing::provenance_in(*read));
     if (!object || object->members.empty())
-        refuse("\"" + name +
-               "\" does not say how it was drawn: only SVG, PDF and DXF files of version 0.3 and "
-               "later do.");
+        refuse(
+            "\"" + name +
+            "\" does not say how it was drawn: drawings of version 0.3 do, and all of later ones.");
     return *object;
 }
 
@@ -33,7 +33,7 @@ bool is_option(const std::string& word) {
            word.find('=') == std::string::npos;
 }
 
-/// Reads the provenance of an SVG, PDF or DXF file that is to be drawn again.
+/// Reads the provenance of a file that is to be drawn again.
 /// @throws laplacian_lines::Error(InvalidOption) if the file has none.
 EarlierDrawing earlier_drawing(const std::string& file) {
     Json object = provenance_of(file);
@@ -143,7 +143,7 @@ std::string usage() {
            "                       one of each, and a contact sheet\n"
            "\n" +
            line_drawing::sheet_options_help() +
-           "  --like FILE          with the options that a drawing (SVG, PDF, DXF) was made with;\n"
+           "  --like FILE          with the options that a drawing was made with;\n"
            "                       others that follow count more\n"
            "  --version            of this program\n"
            "  --help               this text\n";

@@ -85,8 +85,6 @@ double median_angle(const LineSet& lines) {
     return angles[angles.size() / 2];
 }
 
-/// A narrower one turns by all of its angle, whatever triangles it is made of; less where normals
-/// are smoothed over more than 1 % of D.
 /// [−1, 1]³ with edges of this radius in eight strips as long as they, as CAD programs write it.
 TriangleMesh rounded_box(double radius) {
     constexpr int kStrips = 8, kPoints = kStrips + 1;
@@ -122,6 +120,8 @@ TEST(Ridges, FollowRoundedEdgesOfCadMeshes) {
     }
 }
 
+/// A narrower one turns by all of its angle, whatever triangles it is made of; less where normals
+/// are smoothed over more than 1 % of D.
 TEST(Ridges, HaveTheSameAngleAtAnyResolution) {
     struct Resolution {
         int cells;

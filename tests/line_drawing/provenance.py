@@ -29,7 +29,7 @@ off("other.off", moved(2))
 expect(draw("--version") == f"laplacian-lines {VERSION}\n", "the version is another")
 made = {"laplacian_lines": VERSION, "options": OPTIONS,
         "meshes": [{"name": "cube.off", "sha256": hashlib.sha256(text_of("cube.off").encode()).hexdigest()}]}
-for ending in "svg", "pdf", "dxf":
+for ending in "svg", "pdf", "dxf", "png":
     old, again = f"old.{ending}", f"again.{ending}"
     draw(old, *OPTIONS, "cube.off")
     expect(provenance(old) == made, f"{old} says {provenance(old)}")

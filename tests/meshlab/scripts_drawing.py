@@ -28,8 +28,8 @@ def draw(file, *options, meshes=("torus.ply",), compare=True, **settings):
         say(f"not compared: there is no {PROGRAM}")
     elif compare:
         output(PROGRAM, f"program_{file}", *options, *meshes)
-        if not file.endswith(".png"):
-            expect_text(file, f'laplacian_lines":"{VERSION}"')
+        expect(f'laplacian_lines":"{VERSION}"'.encode() in pathlib.Path(file).read_bytes(),
+               f"{file} does not tell the version")
         expect(without_provenance(file) == without_provenance(f"program_{file}"),
                f"{file} differs from what --drawing {options} writes")
 
@@ -63,12 +63,15 @@ for name in ("a.ply", "a.stl.ply"):
     filter_script(EXAMPLE, {"file": "{folder}/{name}_1.svg", "title": "Find {name}"})
     expect(serve("-i", f"scans/{name}", "-s", "script.mlx") == 0, "places in names are refused")
     expect_text(f"scans/{name[:-4]}_1.svg", f">Find {name[:-4]}<")
-    filter_script(EXAMPLE, {"file": "scans/same.svg"})
-    for _ in range(2):
-        expect(serve("-i", f"scans/{name}", "-s", "script.mlx") == 0, "the same name twice is refused")
+    for file in ("scans/same.svg", "scans/same.png"):
+        filter_script(EXAMPLE, {"file": file})
+        for _ in range(2):
+            expect(serve("-i", f"scans/{name}", "-s", "script.mlx") == 0, "the same name twice is refused")
 expect_text("scans/same.svg", ">[^<]*a\\.ply<")
 expect_text("scans/same_2.svg", ">[^<]*a\\.stl\\.ply<")
-expect(not os.path.exists("scans/same_3.svg"), "a drawing of the same mesh is not replaced")
+expect(os.path.exists("scans/same_2.png"), "the drawing of another mesh is replaced")
+for file in ("scans/same_3.svg", "scans/same_3.png"):
+    expect(not os.path.exists(file), "a drawing of the same mesh is not replaced")
 
 # layers together
 ply("points.ply", ["0 0 9"])

@@ -10,9 +10,9 @@ namespace laplacian_lines {
 /// s = 1/|e − c|, c the centre of the box, for perspective views and unit l for orthographic ones.
 /// Names, limits and help texts: option_table.h.
 struct LineStyle {
-    /// 0..100, moves the thresholds of all lines but contours and creases together: 50 leaves them
-    /// alone, 0 keeps hardly a line, 100 nearly all. The number of lines grows about evenly with
-    /// it. By which powers: src/rules/thresholds.cpp.
+    /// 0..100, moves the thresholds of all lines but contours together, of creases and borders the
+    /// least length alone: 50 leaves them as they are, 0 keeps hardly a line, 100 nearly all. The
+    /// number of lines grows about evenly with it. By which powers: src/rules/thresholds.cpp.
     double detail = 50;
     /// t, the least ‖∇I‖·D at a crossing (the paper's threshold on the gradient).
     double gradient_threshold = 0.8;

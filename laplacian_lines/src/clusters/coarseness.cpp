@@ -96,15 +96,16 @@ std::vector<std::uint8_t> find_featureless_triangles(const PreparedMesh& mesh,
     for_each_element(featureless.size(), [&](std::size_t i) {
         const Triangle& t = mesh.triangles[i];
         const auto is_flat = [&](std::uint32_t v) { return cosines[v] >= kFlatCosine; };
-        const auto is_clear = [&](std::uint32_t v) { return is_flat(v) || is_sharp(cosines[v]); };
-        const auto is_gentle = [&](std::uint32_t v) {
-            return cosines[v] >= kGentleCosine || is_sharp(cosines[v]);
+        const auto bends_less = [&](double cosine) {  // but at sharp edges
+            return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
+                return cosines[v] >= cosine || is_sharp(cosines[v]);
+            });
         };
-        const auto all_have = [&](const auto& has) { return std::all_of(t.begin(), t.end(), has); };
         const double size = longest_squared(mesh.positions, t);
-        featureless[i] = shapes[i] != FaceShape::Curved || all_have(is_flat) ||
-                         (size > kLong * kLong && all_have(is_clear)) ||
-                         (size > kVeryLong * kVeryLong && all_have(is_gentle));
+        featureless[i] = shapes[i] != FaceShape::Curved ||
+                         std::all_of(t.begin(), t.end(), is_flat) ||
+                         (size > kLong * kLong && bends_less(kFlatCosine)) ||
+                         (size > kVeryLong * kVeryLong && bends_less(kGentleCosine));
     });
     return featureless;
 }

@@ -12,6 +12,7 @@
 #include "field/cubic_form.h"
 #include "field/field_steps.h"
 #include "field/tensor_fits.h"
+#include "field/triangle_plane.h"
 #include "laplacian_lines/tangent_frame.h"
 
 namespace laplacian_lines {
@@ -46,16 +47,14 @@ Eigen::Vector3d entries_of(const CurvedVertex& v) {
 
 /// S of a triangle's corner in the triangle's plane, turned there by the smallest angle.
 struct CornerInPlane {
-    double entries[3];               // S(u,u), S(u,v), S(v,v) in the plane's frame
-    std::complex<double> direction;  // of the plane's u, in the corner's frame
+    double entries[3];               // S(t,t), S(t,b), S(b,b) of the plane
+    std::complex<double> direction;  // of t, in the corner's frame
 };
-CornerInPlane corner_in_plane(const CurvedVertex& corner, const Eigen::Vector3d& normal,
-                              const Eigen::Vector3d& along, const Eigen::Vector3d& beside) {
-    const Eigen::Vector3d middle = (normal + corner.normal) / (1 + normal.dot(corner.normal));
-    const Eigen::Vector3d u = along - along.dot(corner.normal) * middle,
-                          v = beside - beside.dot(corner.normal) * middle;
-    const Eigen::Vector3d su = corner.shape_operator * u, sv = corner.shape_operator * v;
-    return {{u.dot(su), v.dot(su), v.dot(sv)}, {u.dot(corner.u), u.dot(corner.v)}};
+CornerInPlane corner_in_plane(const CurvedVertex& corner, const TrianglePlane& plane) {
+    const Eigen::Vector3d t = turned(plane.t, plane.n, corner.normal),
+                          b = turned(plane.b, plane.n, corner.normal);
+    const Eigen::Vector3d st = corner.shape_operator * t, sb = corner.shape_operator * b;
+    return {{t.dot(st), b.dot(st), b.dot(sb)}, {t.dot(corner.u), t.dot(corner.v)}};
 }
 
 /// Adds the derivative of S within a triangle, times its area, in the frames of its corners'
@@ -65,26 +64,23 @@ CornerInPlane corner_in_plane(const CurvedVertex& corner, const Eigen::Vector3d&
 /// the triangle faces another way than its corners.
 void add_differences(const PreparedMesh& mesh, const Field& field, const Triangle& t,
                      std::vector<CubicForm>& forms, std::vector<double>& areas) {
-    const auto& p = mesh.positions;
-    const Eigen::Vector3d edges[3] = {p[t[2]] - p[t[1]], p[t[0]] - p[t[2]], p[t[1]] - p[t[0]]};
-    const Eigen::Vector3d area = area_vector(mesh, t), n = area / area.norm();
-    const Eigen::Vector3d along = edges[0].stableNormalized(), beside = n.cross(along);
-    double by_along[3] = {}, by_beside[3] = {};  // of S(u,u), S(u,v), S(v,v), times the area
+    const TrianglePlane plane(mesh.positions, t);
+    double by_t[3] = {}, by_b[3] = {};  // of S(t,t), S(t,b), S(b,b), times twice the area
     CornerInPlane corners[3];
     for (int k = 0; k < 3; ++k) {
         const CurvedVertex corner = curved_vertex(mesh, field, t[k]);
-        if (!(n.dot(corner.normal) > kLeastCosine)) return;
-        corners[k] = corner_in_plane(corner, n, along, beside);
+        if (!(plane.n.dot(corner.normal) > kLeastCosine)) return;
+        corners[k] = corner_in_plane(corner, plane);
         for (int i = 0; i < 3; ++i) {
-            by_along[i] -= edges[k].dot(beside) * corners[k].entries[i];
-            by_beside[i] += edges[k].dot(along) * corners[k].entries[i];
+            by_t[i] -= plane.edges[k].dot(plane.b) * corners[k].entries[i];
+            by_b[i] += plane.edges[k].dot(plane.t) * corners[k].entries[i];
         }
     }
-    const CubicForm form = CubicForm::of(by_along[0], (by_beside[0] + 2 * by_along[1]) / 3,
-                                         (by_along[2] + 2 * by_beside[1]) / 3, by_beside[2]);
+    const CubicForm form =
+        CubicForm::of(by_t[0], (by_b[0] + 2 * by_t[1]) / 3, (by_t[2] + 2 * by_b[1]) / 3, by_b[2]);
     for (int k = 0; k < 3; ++k) {
         forms[t[k]].add(form.turned(corners[k].direction), 1);
-        areas[t[k]] += area.norm();
+        areas[t[k]] += plane.twice_area;
     }
 }
 

@@ -64,13 +64,15 @@ ShapeOperators fit_triangles(const PreparedMesh& mesh, const VertexRanges& range
 
 /// Least squares over the vertices within `radius` (the paper's Eq. 3), but solved in the tangent
 /// plane, because the 3x3 system's normal component takes up second-order terms (100 % error), and
-/// for S instead of ∇I, which is linear in the eye. Keeps `fallback` where the ball holds too few
-/// vertices.
+/// for S instead of ∇I, which is linear in the eye. Keeps the given ones where the ball holds too
+/// few vertices, or about on one line.
 ShapeOperators fit_balls(const PreparedMesh& mesh, const SpatialTree& tree,
                          const std::vector<Eigen::Vector3d>& normals, double radius, bool same_side,
-                         const ShapeOperators& fallback, const StageProgress& stage);
+                         ShapeOperators operators, const StageProgress& stage);
 
-/// Averages S over one-rings, neighbours projected on the tangent plane.
+/// In each pass S becomes the mean of itself and of its one-ring's mean, in which a neighbour
+/// counts once for each triangle at their edge, projected on the tangent plane. Neighbours whose
+/// normals turn by more than a right angle are left out.
 void smooth_over_one_rings(const PreparedMesh& mesh, const VertexRanges& ranges,
                            const std::vector<Eigen::Vector3d>& normals, int passes,
                            const StageProgress& stage, ShapeOperators& operators);

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // S, the change of the normal along the surface, by one of two ways:
 //  1. fit_triangles(): in each triangle the tensor that best maps its edges to the changes of the
-//     normals along them, averaged at each vertex after turning it into the vertex's plane
-//     (S. Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle Meshes", 2004).
+//     normals along them, averaged at each vertex by area after turning it into the vertex's plane
+//     (S. Rusinkiewicz, "Estimating Curvatures and Their Derivatives on Triangle Meshes", 2004,
+//     who averages by the part of the area around the vertex).
 //  2. fit_balls(): at each vertex the tensor that best maps the places of the vertices in a ball to
 //     the changes of their normals (Eq. 3 of the paper).
 // Then S is averaged with its neighbours.
 #include "field/field_steps.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <cmath>
 
+#include "field/triangle_plane.h"
 #include "system/large_array.h"
 
 namespace laplacian_lines {
@@ -18,21 +20,17 @@ namespace {
 
 // Between a triangle's normal and a corner's: opposite ones have no unique rotation.
 constexpr double kLeastCosine = -0.999;
+// Least determinant of the places' second moments over their squared trace: else about on a line.
+constexpr double kLeastSpread = 1e-6;
 
 /// The symmetric tensor in a triangle's plane that best maps its edges to the changes of the
 /// normals along them: tt t tᵀ + tb (t bᵀ + b tᵀ) + bb b bᵀ.
-struct TriangleFit {
-    Eigen::Vector3d n, t, b;  // orthonormal
-    double tt, tb, bb, twice_area;
+struct TriangleFit : TrianglePlane {
+    double tt, tb, bb;
 
     TriangleFit(const std::vector<Eigen::Vector3d>& p, const std::vector<Eigen::Vector3d>& normals,
-                const Triangle& v) {
-        const Eigen::Vector3d edges[3] = {p[v[2]] - p[v[1]], p[v[0]] - p[v[2]], p[v[1]] - p[v[0]]};
-        const Eigen::Vector3d area = edges[2].cross(-edges[1]);
-        twice_area = area.norm();
-        n = area / twice_area;
-        t = edges[0] / edges[0].norm();
-        b = n.cross(t);
+                const Triangle& v)
+        : TrianglePlane(p, v) {
         double uu = 0, uv = 0, vv = 0, ru = 0, rm = 0, rv = 0;
         for (int k = 0; k < 3; ++k) {
             const Eigen::Vector3d change = normals[v[(k + 2) % 3]] - normals[v[(k + 1) % 3]];
@@ -42,7 +40,8 @@ struct TriangleFit {
             ru += du * along, rm += du * beside + dv * along, rv += dv * beside;
         }
         // Normal equations with the rows (uu, uv, 0), (uv, uu + vv, uv), (0, uv, vv), by cofactors.
-        // uu·vv − uv² is the sum of the squared products of two edges: no cancellation in slivers.
+        // uu·vv − uv² is the sum, over pairs of edges, of their squared cross product, each twice
+        // the area (Lagrange): no cancellation in slivers.
         const double squares = 3 * twice_area * twice_area, scale = 1 / ((uu + vv) * squares);
         tt = scale * ((vv * vv + squares) * ru - uv * vv * rm + uv * uv * rv);
         tb = scale * (uu * vv * rm - uv * (vv * ru + uu * rv));
@@ -51,10 +50,9 @@ struct TriangleFit {
     /// False for slivers without a solution.
     bool is_finite() const { return std::isfinite(tt + tb + bb); }
 
-    /// Adds the tensor times the area, turned with its plane from its normal to m.
+    /// Adds the tensor times twice the area, turned with its plane from its normal to m.
     void add_to(SymmetricTensor& sum, const Eigen::Vector3d& m) const {
-        const Eigen::Vector3d middle = (n + m) / (1 + n.dot(m));
-        const Eigen::Vector3d turned_t = t - middle * t.dot(m), turned_b = b - middle * b.dot(m);
+        const Eigen::Vector3d turned_t = turned(t, n, m), turned_b = turned(b, n, m);
         sum.add_product(turned_t, twice_area * (tt / 2 * turned_t + tb * turned_b));
         sum.add_product(turned_b, twice_area * bb / 2 * turned_b);
     }
@@ -79,19 +77,15 @@ ShapeOperators fit_triangles(const PreparedMesh& mesh, const VertexRanges& range
                 weights[v] += fit.twice_area;
             }
         });
-        for (std::uint32_t v = range.begin(); v < range.end(); ++v) {
-            if (!(weights[v] > 0)) continue;
-            sums[v].scale(1 / weights[v]);
-            sums[v] = sums[v].tangential(normals[v]);
-        }
+        for (std::uint32_t v = range.begin(); v < range.end(); ++v)
+            if (weights[v] > 0) sums[v].scale(1 / weights[v]);
     });
     return sums;
 }
 
 ShapeOperators fit_balls(const PreparedMesh& mesh, const SpatialTree& tree,
                          const std::vector<Eigen::Vector3d>& normals, double radius, bool same_side,
-                         const ShapeOperators& fallback, const StageProgress& stage) {
-    ShapeOperators operators = fallback;
+                         ShapeOperators operators, const StageProgress& stage) {
     parallel_for<NoScratch>(mesh.size(), stage, [&](std::size_t i, NoScratch&) {
         const Eigen::Vector3d &p = mesh.positions[i], &n = normals[i];
         Eigen::Matrix<double, 3, 2> frame;
@@ -109,7 +103,8 @@ ShapeOperators fit_balls(const PreparedMesh& mesh, const SpatialTree& tree,
                 rhs += u * (normals[q] - n).transpose();
             }
         });
-        if (!(lhs.determinant() > 1e-6 * lhs.trace() * lhs.trace())) return;
+        if (!(lhs.determinant() > kLeastSpread * lhs.trace() * lhs.trace())) return;
+        // of the symmetric part, that of Sᵀ
         operators[i] = SymmetricTensor::of(frame * (lhs.inverse() * rhs)).tangential(n);
     });
     return operators;

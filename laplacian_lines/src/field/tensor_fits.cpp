@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Around a vertex p with radius R, S of the neighbours q is fitted by S(x, y) = S₀ + x S_x + y S_y,
-// x and y being q's place in p's tangent plane. With means over q, weighted as in tensor_slopes.h:
+// x and y being q's place in p's tangent plane. With means over q, weighted as in tensor_sums.h:
 //  1. The variances and the covariance of x and y: [xx xy; xy yy].
 //  2. The covariances sx, sy of S with x and y.
 //  3. S_x and S_y solve [xx xy; xy yy] [S_x; S_y] = [sx; sy], by Cramer's rule.
@@ -92,10 +92,10 @@ void TensorFits::for_each(
     parallel_for<Sources>(tree_.leaves().size(), stage, [&](std::size_t i, Sources& sources) {
         const SpatialTree::Leaf& leaf = tree_.leaves()[i];
         const std::size_t count = sources_.collect(leaf, radius, sources);
-        for (std::uint32_t begin = leaf.begin; begin < leaf.end; begin += kSlopeLanes) {
+        for (std::uint32_t begin = leaf.begin; begin < leaf.end; begin += kTensorLanes) {
             TensorSums sums;
-            fastest<SlopeLoops>().sum(targets(leaf, radius, begin), sources.data(), count, sums);
-            for (std::uint32_t v = begin; v < std::min(begin + kSlopeLanes, leaf.end); ++v) {
+            fastest<TensorLoops>().sum(targets(leaf, radius, begin), sources.data(), count, sums);
+            for (std::uint32_t v = begin; v < std::min(begin + kTensorLanes, leaf.end); ++v) {
                 TensorFit fit = fit_of(sums, v - begin);
                 if (!fit.found) continue;
                 fit.slopes.scale(1 / radius);
@@ -110,7 +110,7 @@ TensorTargets TensorFits::targets(const SpatialTree::Leaf& leaf, double radius,
                                   std::uint32_t begin) const {
     const Eigen::Vector3d centre = leaf.box.center();
     TensorTargets t = {};
-    for (std::uint32_t lane = 0; lane < kSlopeLanes; ++lane) {
+    for (std::uint32_t lane = 0; lane < kTensorLanes; ++lane) {
         const std::uint32_t v = std::min(begin + lane, leaf.end - 1);
         const Eigen::Vector3f& n = field_.normals[mesh_.original_vertex[v]];
         const TangentFrame frame = tangent_frame(n);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "field/cubic_form.h"
-#include "field/tensor_slopes.h"
+#include "field/tensor_sums.h"
 #include "laplacian_lines/field.h"
 #include "mesh/prepared_mesh.h"
 #include "mesh/spatial_tree.h"

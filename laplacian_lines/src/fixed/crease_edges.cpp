@@ -26,6 +26,7 @@ using Verdict = CreaseEdge::Verdict;
 
 // Modelled faces that are meant to be one meet at angles up to this.
 constexpr float kLeastCreaseAngle = 3;  // degrees
+constexpr float kLeastShownAngle = 20;  // degrees, the least LineStyle::crease_angle
 // On scans a smaller angle may be noise.
 constexpr float kLeastMeasuredAngle = 20;  // degrees
 // Unexplained shares of the edge's angle: 0 at a facet of a curved face, 1 between flat faces. An
@@ -85,7 +86,7 @@ public:
     CreaseFinder(const ExtractorData& data, const Surface& surface)
         : surface_(surface), is_cad_(data.is_cad && !is_subdivided(data.flat_share)) {}
 
-    CreaseEdges run(float least_angle) const {
+    CreaseEdges run() const {
         std::vector<CreaseEdge> edges = find_bent_edges();
         in_parallel(edges.size(), [&](std::size_t i) { edges[i].verdict = test(edges[i]); });
         drop_unsupported(edges);
@@ -94,7 +95,7 @@ public:
                 edge.shown_up_to =
                     edge.verdict == Verdict::Facet ? edge.angle : std::max(kEdgeAngle, edge.angle);
         const auto is_unused = [&](const CreaseEdge& edge) {
-            return edge.verdict == Verdict::Noise || edge.shown_up_to < least_angle;
+            return edge.verdict == Verdict::Noise || edge.shown_up_to < kLeastShownAngle;
         };
         edges.erase(std::remove_if(edges.begin(), edges.end(), is_unused), edges.end());
         return {std::move(edges), is_cad_, !is_cad_ && surface_.triangle_count() >= kFewTriangles};
@@ -151,9 +152,8 @@ private:
 
 }  // namespace
 
-CreaseEdges find_crease_edges(const ExtractorData& data, const Surface& surface,
-                              float least_angle) {
-    return CreaseFinder(data, surface).run(least_angle);
+CreaseEdges find_crease_edges(const ExtractorData& data, const Surface& surface) {
+    return CreaseFinder(data, surface).run();
 }
 
 }  // namespace laplacian_lines

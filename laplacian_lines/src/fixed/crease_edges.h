@@ -43,9 +43,8 @@ struct CreaseEdges {
     bool is_scan = false;
 };
 
-/// All edges that a style with this crease angle, in degrees, or a larger one may draw. The number
-/// of threads does not matter.
-CreaseEdges find_crease_edges(const ExtractorData& data, const Surface& surface, float least_angle);
+/// All edges that some style may draw. The number of threads does not matter.
+CreaseEdges find_crease_edges(const ExtractorData& data, const Surface& surface);
 
 // The tests, in the order of crease_edges.cpp, which names them.
 
@@ -79,9 +78,10 @@ struct CreaseJump {
 /// of signed_angle(), less than kEdgeAngle.
 CreaseJump crease_jump(const Surface& surface, std::uint32_t side, float angle);
 
-/// Makes facets of edges that no others support. Kept are certain edges; chains from one certain
-/// edge to another, or closed, at least half of which is strong; unclear edges only singly, within
-/// such a chain. Also chains that run out from one certain edge, as the mitres of fillets do.
+/// Makes facets of edges that no others support. Kept are certain edges; chains that run out from
+/// one straight on, as the mitres of fillets do, strong or not; other chains from one certain edge
+/// to another, or closed, at least half of which is strong; unclear edges only singly, within a
+/// chain.
 void drop_unsupported(std::vector<CreaseEdge>& edges);
 
 }  // namespace laplacian_lines

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An edge alone may be one of a bad triangle; those of a form meet others. In this order, since
 // each step looks at what the ones before have kept:
-//  1. Unclear edges go, but single ones between clear edges.
-//  2. Creases that run out from an edge of kEdgeAngle, as mitres of fillets do, are found: they may
-//     end in nothing.
+//  1. Unclear edges go, except single ones between clear edges.
+//  2. Creases that run out from a certain edge, as mitres of fillets do, are found: they may end in
+//     nothing, and be weak.
 //  3. Other edges with a loose end go, one after the other.
 //  4. Of the rest, connected edges go of which less than half is strong.
 #include "fixed/crease_edges.h"
@@ -21,7 +21,7 @@ namespace {
 using Eigen::Vector3f;
 using Verdict = CreaseEdge::Verdict;
 
-constexpr float kGoesOn = 0.5f;       // least cosine between two edges of a chain
+constexpr float kGoesOn = 0.5f;       // least cosine at which an edge goes on straight
 constexpr float kLeastStrong = 0.5f;  // of the length: most of a net decides for all
 
 class SupportedCreases {
@@ -29,8 +29,9 @@ public:
     explicit SupportedCreases(std::vector<CreaseEdge>& edges)
         : edges_(edges), runs_out_(edges.size(), 0) {
         for (std::uint32_t i = 0; i < edges.size(); ++i)
-            for (const std::uint32_t v : edges[i].vertices)
-                if (is_kept(i)) at_[v].push_back(i);
+            if (is_kept(i))
+                for (const std::uint32_t v : edges[i].vertices)
+                    at_[v].push_back(i);
     }
 
     void run() {
@@ -49,14 +50,14 @@ private:
         return at_.find(edges_[i].vertices[end])->second;
     }
 
-    /// Calls visit(number, cosine) for each other edge at an end of one; 1: it goes straight on.
+    /// Calls visit(number, cosine) for each other kept edge at an end of one; 1: straight on.
     template <class Visit>
     void for_each_at(std::uint32_t i, int end, const Visit& visit) const {
         const CreaseEdge& edge = edges_[i];
         const Vector3f& here = edge.positions[end];
         const Vector3f direction = unit(here - edge.positions[1 - end]);
         for (const std::uint32_t o : edges_at(i, end)) {
-            if (o == i) continue;
+            if (o == i || !is_kept(o)) continue;
             const CreaseEdge& other = edges_[o];
             const int begin = other.vertices[0] == edge.vertices[end] ? 0 : 1;
             visit(o, dot(direction, unit(other.positions[1 - begin] - here)));
@@ -80,8 +81,8 @@ private:
             drop(i);
     }
 
-    /// Follows creases that run out: from certain edges on, each the only strong edge that
-    /// continues there, or a weak one that nothing else meets.
+    /// Follows creases that run out: from certain edges on, each straight on, and at its vertex the
+    /// only strong or certain edge beside the one before; a weak or unclear one the only edge.
     void find_running_out() {
         std::vector<std::uint32_t> open;
         for (std::uint32_t i = 0; i < edges_.size(); ++i)
@@ -89,16 +90,15 @@ private:
         while (!open.empty()) {
             const std::uint32_t i = open.back();
             open.pop_back();
-            for (int end = 0; end < 2; ++end) {
+            for (const int end : {0, 1}) {
                 int others = 0, strong = 0;
                 for_each_at(i, end, [&](std::uint32_t o, float) {
-                    others += is_kept(o);
+                    ++others;
                     strong += edges_[o].is_certain() || edges_[o].is_strong();
                 });
                 for_each_at(i, end, [&](std::uint32_t o, float cosine) {
                     const CreaseEdge& other = edges_[o];
-                    if (!is_kept(o) || runs_out_[o] || other.is_certain() || cosine < kGoesOn)
-                        return;
+                    if (runs_out_[o] || other.is_certain() || cosine < kGoesOn) return;
                     if ((other.is_strong() ? strong : others) != 1) return;
                     runs_out_[o] = 1;
                     open.push_back(o);
@@ -125,49 +125,41 @@ private:
         }
     }
 
-    /// What is at an end of an edge.
-    struct Around {
+    /// Whether a crease continues at this end, three meet there, or one of them is certain.
+    bool is_held(std::uint32_t i, int end) const {
         int others = 0;
-        bool certain = false, ahead = false;
-        bool holds() const { return certain || ahead || others > 1; }
-    };
-
-    Around look_around(std::uint32_t i, int end) const {
-        Around around;
+        bool is_held = false;
         for_each_at(i, end, [&](std::uint32_t o, float cosine) {
-            if (!is_kept(o)) return;
-            ++around.others;
-            around.certain = around.certain || edges_[o].is_certain();
-            around.ahead = around.ahead || cosine >= kGoesOn;
+            ++others;
+            is_held = is_held || edges_[o].is_certain() || cosine >= kGoesOn;
         });
-        return around;
+        return is_held || others > 1;
     }
 
-    /// Whether a crease continues at both ends, three meet there or one of them is certain; or the
-    /// edge belongs to a crease that runs out.
+    /// Whether both ends are held, or the edge belongs to a crease that runs out.
     bool is_supported(std::uint32_t i) const {
-        return runs_out_[i] || (look_around(i, 0).holds() && look_around(i, 1).holds());
+        return runs_out_[i] || (is_held(i, 0) && is_held(i, 1));
     }
 
     /// Drops connected nets of edges of which less than half is strong.
     void drop_doubtful() {
-        const auto is_open = [&](std::uint32_t i) {
+        const auto is_undecided = [&](std::uint32_t i) {
             return is_kept(i) && !edges_[i].is_certain() && !runs_out_[i];
         };
         DisjointSets nets(edges_.size());
         for (const auto& [vertex, edges] : at_) {
-            const auto first = std::find_if(edges.begin(), edges.end(), is_open);
+            const auto first = std::find_if(edges.begin(), edges.end(), is_undecided);
             for (auto i = first; i != edges.end(); ++i)
-                if (is_open(*i)) nets.unite(*first, *i);
+                if (is_undecided(*i)) nets.unite(*first, *i);
         }
         std::vector<float> all(edges_.size()), strong(edges_.size());
         for (std::uint32_t i = 0; i < edges_.size(); ++i) {
-            if (!is_open(i)) continue;
+            if (!is_undecided(i)) continue;
             all[nets.root(i)] += edges_[i].length();
             if (edges_[i].is_strong()) strong[nets.root(i)] += edges_[i].length();
         }
         for (std::uint32_t i = 0; i < edges_.size(); ++i)
-            if (is_open(i) && strong[nets.root(i)] < kLeastStrong * all[nets.root(i)]) drop(i);
+            if (is_undecided(i) && strong[nets.root(i)] < kLeastStrong * all[nets.root(i)]) drop(i);
     }
 
     std::vector<CreaseEdge>& edges_;

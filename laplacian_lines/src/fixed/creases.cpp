@@ -12,21 +12,22 @@
 #include "fixed/piece_graph.h"
 #include "rules/thresholds.h"
 #include "system/chains.h"
-#include "system/disjoint_sets.h"
 #include "system/on_demand.h"
 
 namespace laplacian_lines {
 namespace {
 
-constexpr float kShortNet = 3;  // shortest lines; a bad place of a scan may have some edges
-// Where triangles of a scan are as large as the radius of a rounded edge, some edges are as sharp
-// as creases, in zigzags with gaps: ridges show these better. So are single folds.
-constexpr std::uint32_t kPiecesOfAFault = 6;  // fewer per fault are ragged
+// Least length of connected creases, in shortest lines: a bad spot of a scan has a few edges.
+constexpr float kShortNet = 3;
+// Least edges per fault of a scan. Where its triangles are as large as the radius of a rounded
+// edge, some of its edges are sharp, in zigzags with gaps: ridges draw these better, and single
+// folds too.
+constexpr std::uint32_t kPiecesOfAFault = 6;
 
 /// The creases that a style draws, joined to lines.
 struct TracedCreases {
     float least_angle, shortest_line;  ///< of the style
-    LineSet lines;  ///< points in mesh coordinates; gradient: the larger angle of the edges
+    LineSet lines;  ///< points in mesh coordinates; gradient: the largest angle of the edges there
     /// By point, the edge from it to the next point of its line; null for the last.
     std::vector<const CreaseEdge*> edges;
 };
@@ -35,7 +36,7 @@ struct TracedCreases {
 struct CreaseNet {
     std::uint32_t pieces = 0;
     float length = 0;  ///< D
-    /// Loose ends, and facets between two of the edges whose third side is bent but no crease.
+    /// Loose ends, and facets with exactly two sides among the edges.
     std::uint32_t faults = 0;
 
     /// Small holes of designs are, but no few edges of a scan.
@@ -61,17 +62,16 @@ public:
         }
     }
 
+    /// Appends the lines, once, given the style in `traced`.
     void run(const ExtractorData& data, TracedCreases& traced) {
         const std::vector<PieceGraph::Line> lines = graph_.lines();
-        DisjointSets connected(graph_.node_count());
-        for (const PieceGraph::Line& line : lines)
-            connected.unite(line.nodes.front(), line.nodes.back());
-        std::vector<CreaseNet> nets(graph_.node_count());
-        for (const PieceGraph::Line& line : lines)
-            add(line, nets[connected.root(line.nodes[0])]);
-        for (const PieceGraph::Line& line : lines) {
-            const CreaseNet& net = nets[connected.root(line.nodes[0])];
-            if (!net.is_drawn(traced.shortest_line, found_)) continue;
+        const std::vector<std::uint32_t> net_of = graph_.nets(lines);
+        std::vector<CreaseNet> nets(positions_.size());
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            add(lines[i], nets[net_of[i]]);
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            const PieceGraph::Line& line = lines[i];
+            if (!nets[net_of[i]].is_drawn(traced.shortest_line, found_)) continue;
             const Polyline& appended = append_line(
                 data, LineKind::Crease, line,
                 [&](std::uint32_t n) -> const Eigen::Vector3f& { return positions_[n]; },
@@ -86,8 +86,8 @@ public:
 
 private:
     std::uint32_t node(const CreaseEdge& edge, int end) {
-        const std::uint32_t number = graph_.node(edge.vertices[end]);
-        if (number == positions_.size()) {
+        const auto [number, is_new] = graph_.node(edge.vertices[end]);
+        if (is_new) {
             positions_.push_back(edge.positions[end]);
             angles_.push_back(0);
         }
@@ -97,14 +97,15 @@ private:
 
     void add(const PieceGraph::Line& line, CreaseNet& net) {
         net.pieces += std::uint32_t(line.pieces.size());
-        if (!line.is_closed) net.faults += loose_ends(line);
+        net.faults += loose_ends(line);
         for (const std::uint32_t piece : line.pieces) {
             net.faults += count_facets(*edges_[piece]);
             net.length += edges_[piece]->length();
         }
     }
 
-    /// Facets at an edge with exactly one other side among the edges; each counts once.
+    /// Facets at an edge with exactly one other side among the edges. Each is counted once: it is
+    /// forgotten then.
     std::uint32_t count_facets(const CreaseEdge& edge) {
         std::uint32_t count = 0;
         for (const std::uint32_t facet : edge.facets) {
@@ -129,11 +130,11 @@ private:
     std::unordered_map<std::uint32_t, std::uint32_t> sides_of_facet_;
 };
 
-/// How an edge faces the eye.
+/// What becomes of an edge for an eye.
 enum class EdgeView {
-    Towards,  ///< both of its triangles face the eye, or no contours are drawn
-    Away,     ///< neither does, and its own body hides it
-    Horizon,  ///< one does: there is a contour
+    Shown,    ///< drawn; what hides it is in front of it
+    Away,     ///< faces away on a closed body, which hides it
+    Horizon,  ///< one of its triangles faces the eye: a contour is drawn there instead
 };
 
 class EdgeFacing {
@@ -142,11 +143,11 @@ public:
         : eye_(eye), has_contours_(has_contours), is_body_(is_body) {}
 
     EdgeView of(const CreaseEdge& edge) const {
-        if (!has_contours_) return EdgeView::Towards;
+        if (!has_contours_) return EdgeView::Shown;
         const Eigen::Vector3f l = eye_.towards(edge.positions[0]);
         const bool one = dot(edge.normals[0], l) < 0, other = dot(edge.normals[1], l) < 0;
         if (one != other) return EdgeView::Horizon;
-        return one && is_body_ ? EdgeView::Away : EdgeView::Towards;
+        return one && is_body_ ? EdgeView::Away : EdgeView::Shown;
     }
 
 private:
@@ -162,7 +163,7 @@ void append_parts(const TracedCreases& traced, const Polyline& line, const EdgeF
     const auto edge = [&](std::size_t i) -> const CreaseEdge& {
         return *traced.edges[line.first + i % edges];
     };
-    for (const EdgeView view : {EdgeView::Towards, EdgeView::Away}) {
+    for (const EdgeView view : {EdgeView::Shown, EdgeView::Away}) {
         const auto is_in = [&](std::size_t i) { return facing.of(edge(i)) == view; };
         for_each_run(edges, line.closed, is_in, [&](std::size_t begin, std::size_t count) {
             Polyline& part = append_points(traced.lines, line, begin, count + 1, lines);
@@ -205,23 +206,20 @@ private:
             auto traced = std::make_shared<TracedCreases>();
             traced->least_angle = least_angle;
             traced->shortest_line = shortest_line;
-            CreaseTracer(edges(data, all, least_angle), least_angle).run(data, *traced);
+            CreaseTracer(edges(data, all), least_angle).run(data, *traced);
             traced_ = std::move(traced);
         }
         return traced_;
     }
 
-    /// Angles below the default are rare, and take long on rough scans.
-    const CreaseEdges& edges(const ExtractorData& data, FixedLines& all, float least_angle) const {
-        const float least = least_angle < kEdgeAngle ? 0 : kEdgeAngle;
-        return (least > 0 ? edges_ : more_edges_).get([&] {
-            // the edges of rough ones are those of noise or of voxels
-            return data.is_rough ? CreaseEdges()
-                                 : find_crease_edges(data, *all.surface(data), least);
+    const CreaseEdges& edges(const ExtractorData& data, FixedLines& all) const {
+        return edges_.get([&] {
+            // the edges of rough meshes are those of noise or of voxels
+            return data.is_rough ? CreaseEdges() : find_crease_edges(data, *all.surface(data));
         });
     }
 
-    mutable OnDemand<CreaseEdges> edges_, more_edges_;
+    mutable OnDemand<CreaseEdges> edges_;
     mutable std::mutex mutex_;
     mutable std::shared_ptr<const TracedCreases> traced_;
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Demarcating curves: zeros of II(g, g), g the direction in which C(g, g, g) is largest, along
-// which the curvature changes fastest: M. Kolomenkin, I. Shimshoni, A. Tal: "Demarcating Curves for
-// Shape Illustration", SIGGRAPH Asia 2008. g points from concave to convex; no curve passes
-// triangles in which it turns by more than 45 degrees. Curves that are strong enough are shown,
-// with their weaker continuations.
+// Demarcating curves: zeros of g·S̄ g, the curvature along g, where g is the direction in which
+// C(g, g, g), its change along g, is largest: M. Kolomenkin, I. Shimshoni, A. Tal: "Demarcating
+// Curves for Shape Illustration", SIGGRAPH Asia 2008. g points from concave to convex; no curve
+// passes triangles in which g turns by more than 45 degrees. Curves that are strong enough are
+// shown, with their weaker continuations.
 #include <algorithm>
 #include <cmath>
 
@@ -18,11 +18,13 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr int kDirections = 36;        // that are tried; a cubic has at most three maxima
-constexpr float kClear = 0.9f;         // most of the second largest maximum over the largest
-constexpr float kLeastTurn = 0.7071f;  // least cosine between directions at corners
-constexpr float kLeastLength = 0.02f;  // D
-constexpr float kFading = 3;           // a gentle relief is paler than a steep one
+constexpr int kDirections = 36;    // that are tried; a cubic has at most three maxima
+constexpr float kClear = 0.9f;     // most of the second largest maximum over the largest
+constexpr float kMostStep = 0.1f;  // radians; a maximum is within .09 of the largest sample
+constexpr float kLeastAgreement = 0.7071f;  // cosine, of 45 degrees, between g at two corners
+constexpr float kLeastLength = 0.02f;       // D, of a curve and of its strong part
+constexpr float kShortestLines = 2;  // also of a curve: noise makes longer zeros of derivatives
+constexpr float kFading = 3;         // a gentle relief is paler than a steep one
 
 float cubic(const Eigen::Vector4f& c, float x, float y) {
     return x * x * (c[0] * x + 3 * c[1] * y) + y * y * (3 * c[2] * x + c[3] * y);
@@ -39,23 +41,23 @@ float refined(const Eigen::Vector4f& c, float angle) {
         const float first = x * fy - y * fx;
         const float second = 2 * (fxx * y * y - 2 * fxy * x * y + fyy * x * x) - (fx * x + fy * y);
         if (!(second < 0)) break;
-        angle -= std::clamp(first / second, -0.1f, 0.1f);
+        angle -= std::clamp(first / second, -kMostStep, kMostStep);
     }
     return angle;
 }
 
 /// The direction in a tangent plane in which C(g, g, g) is largest.
-struct SteepestBend {
+struct CurvatureGradient {
     Eigen::Vector2f direction = Eigen::Vector2f::Zero();  ///< g in the frame of C, unit
     float slope = 0;  ///< C(g, g, g); 0: no maximum is clearly the largest
 };
 
-SteepestBend steepest_bend(const Eigen::Vector4f& derivative) {
+CurvatureGradient curvature_gradient(const Eigen::Vector4f& derivative) {
     constexpr float step = 2 * float(EIGEN_PI) / kDirections;
     float values[kDirections];
     for (int i = 0; i < kDirections; ++i)
         values[i] = cubic(derivative, cosine_of(float(i) * step), sine_of(float(i) * step));
-    SteepestBend best;
+    CurvatureGradient best;
     float second = 0;
     for (int i = 0; i < kDirections; ++i) {
         if (!(values[i] > values[(i + kDirections - 1) % kDirections] &&
@@ -66,33 +68,33 @@ SteepestBend steepest_bend(const Eigen::Vector4f& derivative) {
         second = std::max(second, std::min(slope, best.slope));
         if (slope > best.slope) best = {{x, y}, slope};
     }
-    return second > kClear * best.slope ? SteepestBend() : best;
+    return second > kClear * best.slope ? CurvatureGradient() : best;
 }
 
 struct Demarcation {
-    Eigen::Vector3f direction = Eigen::Vector3f::Zero();  ///< g
-    Eigen::Vector3f bend = Eigen::Vector3f::Zero();
-    float curvature = 0;  ///< II(g, g)
-    float strength = 0;   ///< C(g, g, g), degrees/D²; 0: no direction
+    Eigen::Vector3f direction = Eigen::Vector3f::Zero();  ///< g; 0: there is none
+    Eigen::Vector3f bend = Eigen::Vector3f::Zero();       ///< S̄ g
+    float curvature = 0;                                  ///< g·S̄ g
+    float strength = 0;                                   ///< C(g, g, g), degrees/D²
 };
 
 Demarcation demarcation(const CurvatureRecord& record) {
     Demarcation result;
-    const SteepestBend steepest =
-        steepest_bend(Eigen::Map<const Eigen::Vector4f>(record.derivative));
-    if (!(steepest.slope > 0)) return result;
+    const CurvatureGradient gradient =
+        curvature_gradient(Eigen::Map<const Eigen::Vector4f>(record.derivative));
+    if (!(gradient.slope > 0)) return result;
     const TangentFrame frame = tangent_frame(Eigen::Map<const Eigen::Vector3f>(record.normal));
     const float* const s = record.curvature;
-    const Eigen::Vector2f &g = steepest.direction,
-                          bend = {s[0] * g.x() + s[1] * g.y(), s[1] * g.x() + s[2] * g.y()};
+    const Eigen::Vector2f& g = gradient.direction;
+    const Eigen::Vector2f bend(s[0] * g.x() + s[1] * g.y(), s[1] * g.x() + s[2] * g.y());
     result.direction = g.x() * frame.u + g.y() * frame.v;
     result.bend = bend.x() * frame.u + bend.y() * frame.v;
     result.curvature = g.dot(bend);
-    result.strength = kDegrees * steepest.slope;
+    result.strength = kDegrees * gradient.slope;
     return result;
 }
 
-/// The value of its zeros is C(g, g, g), degrees/D².
+/// Finds the pieces in a cluster; the value of their zeros is C(g, g, g), degrees/D².
 class ClusterCurves {
 public:
     explicit ClusterCurves(const PlacedCluster& placed) : placed_(placed) {
@@ -105,7 +107,8 @@ public:
         bool is_negative[3];
         for (int k = 0; k < 3; ++k) {
             const Demarcation &a = at_[t[k]], &b = at_[t[(k + 1) % 3]];
-            if (!(dot(a.direction, b.direction) > kLeastTurn)) return;  // also where there is none
+            if (!(dot(a.direction, b.direction) > kLeastAgreement))
+                return;  // also where there is none
             is_negative[k] = a.curvature < 0;
         }
         if (is_negative[0] == is_negative[1] && is_negative[0] == is_negative[2]) return;
@@ -122,7 +125,6 @@ private:
 };
 
 ZeroLines find_demarcating_curves(const ExtractorData& data) {
-    if (data.curvatures.empty()) return {};
     ZeroLines found =
         find_zero_lines<ClusterCurves>(data, LineKind::DemarcatingCurve, kLeastLength);
     for (std::size_t i = 0; i < found.samples.size(); ++i)
@@ -141,8 +143,8 @@ public:
         const float clearance = style.shows[LineKind::Contour] ? float(style.contour_clearance) : 0;
         found_.append(data, eye,
                       {thresholds.demarcation, kFading * float(style.fading),
-                       std::max(kLeastLength, 2 * thresholds.shortest_line), kLeastLength,
-                       clearance, smoothing_passes(style.line_smoothing)},
+                       std::max(kLeastLength, kShortestLines * thresholds.shortest_line),
+                       kLeastLength, clearance, smoothing_passes(style.line_smoothing)},
                       nullptr, lines);
     }
 

@@ -2,6 +2,7 @@
 #include "fixed/piece_graph.h"
 
 #include "system/chains.h"
+#include "system/disjoint_sets.h"
 
 namespace laplacian_lines {
 
@@ -24,6 +25,16 @@ std::vector<PieceGraph::Line> PieceGraph::lines() const {
         lines.push_back(std::move(line));
     });
     return lines;
+}
+
+std::vector<std::uint32_t> PieceGraph::nets(const std::vector<Line>& lines) const {
+    DisjointSets nodes(at_.size());
+    for (const Line& line : lines)
+        nodes.unite(line.nodes.front(), line.nodes.back());
+    std::vector<std::uint32_t> nets;
+    for (const Line& line : lines)
+        nets.push_back(nodes.root(line.nodes[0]));
+    return nets;
 }
 
 }  // namespace laplacian_lines

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "clusters/extractor_data.h"
@@ -16,17 +17,16 @@ namespace laplacian_lines {
 /// or a zero on an edge.
 class PieceGraph {
 public:
-    /// The number of the node with this key, added if there is none.
-    std::uint32_t node(std::uint64_t key) {
+    /// The number of the node with this key, and whether it is new: the next number.
+    std::pair<std::uint32_t, bool> node(std::uint64_t key) {
         const auto [place, is_new] = numbers_.try_emplace(key, std::uint32_t(at_.size()));
         if (is_new) add_node();
-        return place->second;
+        return {place->second, is_new};
     }
     std::uint32_t add_node() {
         at_.emplace_back();
         return std::uint32_t(at_.size() - 1);
     }
-    std::size_t node_count() const { return at_.size(); }
     std::uint32_t pieces_at(std::uint32_t node) const { return at_[node].count; }
 
     void add(std::uint32_t begin, std::uint32_t end) {
@@ -45,6 +45,8 @@ public:
     /// Lines end at nodes where other than two pieces meet. They have the direction of their first
     /// piece; closed ones come last.
     std::vector<Line> lines() const;
+    /// By line, one of the nodes of all that are connected with it, the same for these.
+    std::vector<std::uint32_t> nets(const std::vector<Line>& lines) const;
 
 private:
     struct Meeting {

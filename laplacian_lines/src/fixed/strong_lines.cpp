@@ -43,14 +43,18 @@ StretchLengths measure(const LinePoint* points, std::uint32_t count, float least
     return lengths;
 }
 
+float distance(const ZeroLines::Sample& a, const ZeroLines::Sample& b) {
+    return length_of(b.position - a.position);
+}
+
 /// The length of what is a guess of a stretch of `all`, D. `sample(i)`: at its points.
 template <class SampleAt>
 float guessed_length(const LinePoint* points, std::uint32_t count, const SampleAt& sample,
-                     float all, float diagonal) {
+                     float all) {
     float guessed = 0;
     for (std::uint32_t i = 1; i < count; ++i) {
         const ZeroLines::Sample &a = sample(i - 1), &b = sample(i);
-        const float length = length_of(points[i].position - points[i - 1].position) / diagonal;
+        const float length = distance(a, b);
         const float triangle = std::min(a.triangle, b.triangle);
         const bool is_edge = std::min(points[i - 1].gradient, points[i].gradient) >= kEdgeAngle &&
                              std::min(a.height, b.height) <= kHighStrip &&
@@ -70,11 +74,15 @@ float contour_opacity(const ExtractorData& data, const LocalEye& eye, float clea
 }  // namespace
 
 StrongLines::StrongLines(ZeroLines found) : found_(std::move(found)) {
+    const std::vector<ZeroLines::Sample>& samples = found_.samples;
     for (const Polyline& line : found_.lines.lines) {
-        float most = 0;
-        for (std::uint32_t i = 0; i < line.count; ++i)
-            most = std::max(most, found_.lines.points[line.first + i].gradient);
-        strongest_.push_back(most);
+        Largest& largest = largest_.emplace_back();
+        for (std::uint32_t i = line.first; i < line.first + line.count; ++i) {
+            largest.gradient = std::max(largest.gradient, found_.lines.points[i].gradient);
+            largest.triangle = std::max(largest.triangle, samples[i].triangle);
+            if (i > line.first)
+                largest.piece = std::max(largest.piece, distance(samples[i - 1], samples[i]));
+        }
     }
 }
 
@@ -82,9 +90,10 @@ void StrongLines::append(const ExtractorData& data, const LocalEye& eye,
                          const StrongLineRules& rules, const std::vector<std::uint8_t>* left_out,
                          LineSet& lines) const {
     const float weak = kWeak * rules.least;
-    for (std::size_t number = 0; number < strongest_.size(); ++number) {
+    for (std::size_t number = 0; number < largest_.size(); ++number) {
         const Polyline& whole = found_.lines.lines[number];
-        if (strongest_[number] < rules.least || whole.length < rules.least_length) continue;
+        const Largest& largest = largest_[number];
+        if (largest.gradient < rules.least || whole.length < rules.least_length) continue;
         const LinePoint* points = found_.lines.points.data() + whole.first;
         const std::uint32_t period = point_count(whole);
         const auto is_in = [&](std::size_t i) { return points[i].gradient >= weak; };
@@ -98,10 +107,12 @@ void StrongLines::append(const ExtractorData& data, const LocalEye& eye,
             const auto sample = [&](std::size_t i) -> const ZeroLines::Sample& {
                 return found_.samples[place(i)];
             };
+            const bool may_guess =
+                largest.piece > kLongPiece || largest.triangle > kLongTriangle * lengths.all;
             if (line.count < 2 || lengths.all < rules.least_length ||
                 lengths.strong < rules.least_strong ||
-                guessed_length(shown, line.count, sample, lengths.all, float(data.diagonal)) >
-                    kMostGuessed * lengths.all) {
+                (may_guess && guessed_length(shown, line.count, sample, lengths.all) >
+                                  kMostGuessed * lengths.all)) {
                 lines.points.resize(line.first);
                 lines.lines.pop_back();
                 return;

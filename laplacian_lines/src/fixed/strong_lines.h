@@ -33,8 +33,14 @@ public:
                 const std::vector<std::uint8_t>* left_out, LineSet& lines) const;
 
 private:
+    /// Of a line's points.
+    struct Largest {
+        float gradient = 0;
+        float triangle = 0, piece = 0;  // D
+    };
+
     const ZeroLines found_;
-    std::vector<float> strongest_;  // the largest gradient of a line's points, by line
+    std::vector<Largest> largest_;  // by line
 };
 
 }  // namespace laplacian_lines

@@ -12,8 +12,8 @@ ZeroLines trace_zeros(const ExtractorData& data, LineKind kind, float least_leng
     PieceGraph graph;
     std::vector<ZeroLines::Sample> samples;  // by node
     const auto node = [&](const Zero& zero) {
-        const std::uint32_t number = graph.node(zero.edge);
-        if (number == samples.size()) samples.push_back(zero.sample);
+        const auto [number, is_new] = graph.node(zero.edge);
+        if (is_new) samples.push_back(zero.sample);
         ZeroLines::Sample& sample = samples[number];
         sample.triangle = std::min(sample.triangle, zero.sample.triangle);
         sample.height = std::max(sample.height, zero.sample.height);

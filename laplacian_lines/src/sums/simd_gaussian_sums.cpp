@@ -133,8 +133,8 @@ static inline void sum_quickly(const GaussianTargets& t, const GaussianSource* s
                                GaussianLaneSums& result) {
     const QuickTargets quick = quick_targets(t, lane);
     LaneSums sums;
-    for (; source_count > 0; sources += kTogether) {
-        const std::size_t some = source_count < kTogether ? source_count : kTogether;
+    for (std::size_t some; source_count > 0; sources += some, source_count -= some) {
+        some = source_count < kTogether ? source_count : kTogether;
         Floats w[kTogether];
         for (std::size_t i = 0; i < some; ++i)
             w[i] = quick_weight(quick, sources[i]);
@@ -148,7 +148,6 @@ static inline void sum_quickly(const GaussianTargets& t, const GaussianSource* s
             sums.ny += w[i] * s.ny;
             sums.nz += w[i] * s.nz;
         }
-        source_count -= some;
     }
     sums.mx -= sums.mass * load(t.x + lane);
     sums.my -= sums.mass * load(t.y + lane);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A page as PNG: 256 grays, one chunk of rows, the density for true scale, the provenance as a
+// comment.
 #include <zlib.h>
 
 #include <cmath>
@@ -12,22 +14,23 @@ namespace line_drawing {
 namespace {
 
 constexpr double kMmPerInch = 25.4;
-constexpr double kMostPixels = 32000;  // of a side
+constexpr double kMostPixels = 32000;  // of a side: rows fit into one chunk, of 2 GiB at most
+constexpr double kRounding = 1e-6;     // pixels
 
-std::string number(std::uint32_t value) {
-    return {char(value >> 24), char(value >> 16 & 255), char(value >> 8 & 255), char(value & 255)};
+std::string in_big_endian(std::size_t number) {
+    return {char(number >> 24), char(number >> 16), char(number >> 8), char(number)};
 }
 
 std::string chunk(const std::string& type, const std::string& data) {
     const std::string both = type + data;
     const auto* bytes = reinterpret_cast<const Bytef*>(both.data());
-    return number(std::uint32_t(data.size())) + both +
-           number(std::uint32_t(crc32_z(0, bytes, both.size())));
+    return in_big_endian(data.size()) + both + in_big_endian(crc32_z(0, bytes, both.size()));
 }
 
 /// Rows that are not filtered, as a byte before each says.
 std::string rows_of(const Canvas& canvas) {
     std::string rows;
+    rows.reserve(canvas.grays().size() + std::size_t(canvas.height()));
     const auto width = std::size_t(canvas.width());
     const auto* grays = reinterpret_cast<const char*>(canvas.grays().data());
     for (std::size_t begin = 0; begin < canvas.grays().size(); begin += width)
@@ -35,14 +38,16 @@ std::string rows_of(const Canvas& canvas) {
     return rows;
 }
 
-std::string in_png(const Canvas& canvas, int dots_per_metre) {
+std::string in_png(const Canvas& canvas, long dots_per_metre, const std::string& provenance) {
     const std::string size =
-        number(std::uint32_t(canvas.width())) + number(std::uint32_t(canvas.height()));
-    const std::string density = number(std::uint32_t(dots_per_metre)), rows = rows_of(canvas);
+        in_big_endian(std::size_t(canvas.width())) + in_big_endian(std::size_t(canvas.height()));
+    const std::string density = in_big_endian(std::size_t(dots_per_metre));
     const std::string eight_bits_of_gray{8, 0, 0, 0, 0}, per_metre{1};
+    const std::string comment =
+        provenance.empty() ? "" : chunk("tEXt", std::string("Comment") + '\0' + provenance);
     return "\x89PNG\r\n\x1a\n" + chunk("IHDR", size + eight_bits_of_gray) +
-           chunk("pHYs", density + density + per_metre) + chunk("IDAT", deflated(rows)) +
-           chunk("IEND", {});
+           chunk("pHYs", density + density + per_metre) + comment +
+           chunk("IDAT", deflated(rows_of(canvas))) + chunk("IEND", {});
 }
 
 }  // namespace
@@ -59,13 +64,13 @@ std::string deflated(const std::string& bytes) {
 
 std::string write_png(const Sheet& sheet, double dpi) {
     const double scale = dpi / kMmPerInch;
-    const double width = std::ceil(sheet.size.x() * scale),
-                 height = std::ceil(sheet.size.y() * scale);
+    const double width = std::ceil(sheet.size.x() * scale - kRounding),
+                 height = std::ceil(sheet.size.y() * scale - kRounding);
     if (width > kMostPixels || height > kMostPixels)
         refuse("A picture of " + in_digits(width) + " x " + in_digits(height) +
                " pixels is too large; take fewer dots per inch.");
     return in_png(paint_groups(sheet.groups, {int(width), int(height)}, scale),
-                  int(std::lround(scale * 1000)));
+                  std::lround(scale * 1000), sheet.provenance);
 }
 
 }  // namespace line_drawing

@@ -179,12 +179,11 @@ private:
     /// The lines that are entered by these ends, one after the other.
     DrawnLine joined(const std::vector<std::size_t>& way, bool is_ring) {
         const auto line_of = [this](std::size_t e) -> DrawnLine& { return lines_[ends_[e].line]; };
-        DrawnLine result = with_points(line_of(*std::min_element(way.begin(), way.end(),
-                                                                 [&](std::size_t a, std::size_t b) {
-                                                                     return line_of(a).line_class <
-                                                                            line_of(b).line_class;
-                                                                 })),
-                                       {}, is_ring);
+        const auto is_wider = [&](std::size_t a, std::size_t b) {
+            return line_of(a).line_class < line_of(b).line_class;
+        };
+        const std::size_t widest = *std::min_element(way.begin(), way.end(), is_wider);
+        DrawnLine result = with_points(line_of(widest), {}, is_ring);
         for (const std::size_t e : way)
             result.jump = std::max(result.jump, line_of(e).jump);
         std::vector<std::size_t> seams;  // the last points before them

@@ -6,7 +6,7 @@
 
 namespace laplacian_lines {
 
-constexpr std::uint32_t kSlopeLanes = 16;  ///< targets of one sum
+constexpr std::uint32_t kTensorLanes = 16;  ///< targets of one sum
 
 /// A vertex with a symmetric tensor S.
 struct alignas(64) TensorSource {
@@ -19,8 +19,8 @@ struct alignas(64) TensorSource {
 /// Vertices to sum at, each with its plane of u and v, by component and lane. Unused lanes may
 /// repeat others.
 struct TensorTargets {
-    alignas(64) float position[3][kSlopeLanes], normal[3][kSlopeLanes];
-    alignas(64) float u[3][kSlopeLanes], v[3][kSlopeLanes];
+    alignas(64) float position[3][kTensorLanes], normal[3][kTensorLanes];
+    alignas(64) float u[3][kTensorLanes], v[3][kTensorLanes];
     float per_radius;  ///< 1 / distance within which sources count
 };
 
@@ -28,12 +28,13 @@ struct TensorTargets {
 /// number and lane.
 struct TensorSums {
     enum { kWeight, kX, kY, kXX, kXY, kYY, kEntries, kXEntries = 9, kYEntries = 12, kNumbers = 15 };
-    alignas(64) float numbers[kNumbers][kSlopeLanes];
+    alignas(64) float numbers[kNumbers][kTensorLanes];
 };
 
 /// See simd_sets.h.
-struct SlopeLoops {
-    /// Weights are mass · (1 − d²/R²)² · facing_weight(n_q·n_p), d the distance, R the radius.
+struct TensorLoops {
+    /// Weights are 4 mass · max(1 − d²/R², 0)² · facing_weight(n_q·n_p), d the distance, R the
+    /// radius.
     void (*sum)(const TensorTargets& targets, const TensorSource* sources, std::size_t count,
                 TensorSums& sums);
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sums over the neighbours q of a vertex p for tensor_fits.cpp, several vertices at a time. With x
 // and y the place of q in p's tangent plane and d its distance, in radii, and the weight
-// w = m (1 − d²)² facing_weight(), they are Σ w, Σ w (x, y), Σ w (x², x y, y²), and of the tensor
-// S: Σ w S, Σ w x S, Σ w y S.
-#include "field/tensor_slopes.h"
+// w = 4 m max(1 − d², 0)² facing_weight() (gaussian_sums.h), whose 4 cancels in a fit, they are
+// Σ w, Σ w (x, y), Σ w (x², x y, y²), and of the tensor S: Σ w S, Σ w x S, Σ w y S.
+#include "field/tensor_sums.h"
 
 #include "system/simd_sets.h"
 #include "system/simd_vectors.h"
@@ -16,8 +16,8 @@ struct Tensors {
     Floats xx{}, yy{}, zz{}, yz{}, xz{}, xy{};
 };
 
-static inline void add(const TensorSource* sources, const Floats* weights, std::size_t count,
-                       Tensors& result) {
+static inline void add_weighted(const TensorSource* sources, const Floats* weights,
+                                std::size_t count, Tensors& result) {
     Tensors sums = result;  // in registers
     for (std::size_t i = 0; i < count; ++i) {
         const TensorSource& s = sources[i];
@@ -27,20 +27,19 @@ static inline void add(const TensorSource* sources, const Floats* weights, std::
     }
     result = sums;
 }
+
 static inline Vector times(const Tensors& s, const Vector& a) {
     return {s.xx * a.x + s.xy * a.y + s.xz * a.z, s.xy * a.x + s.yy * a.y + s.yz * a.z,
             s.xz * a.x + s.yz * a.y + s.zz * a.z};
 }
 
-static inline void store_quarter(float* p, const Floats& v) {
-    store(p, 0.25f * v);
-}
-static inline void store_quarter(float (*p)[kSlopeLanes], std::size_t lane, const Tensors& s,
-                                 const Vector& u, const Vector& v) {
+/// S(u,u), S(u,v) and S(v,v).
+static inline void store(float (*p)[kTensorLanes], std::size_t lane, const Tensors& s,
+                         const Vector& u, const Vector& v) {
     const Vector su = times(s, u), sv = times(s, v);
-    store_quarter(p[0] + lane, dot(su, u));
-    store_quarter(p[1] + lane, dot(su, v));
-    store_quarter(p[2] + lane, dot(sv, v));
+    store(p[0] + lane, dot(su, u));
+    store(p[1] + lane, dot(su, v));
+    store(p[2] + lane, dot(sv, v));
 }
 
 /// Vertices to sum at, in a vector's lanes; `place` in radii.
@@ -57,12 +56,12 @@ static inline LaneTargets lane_targets(const TensorTargets& t, std::size_t lane)
 struct Seen {
     Floats weight, x, y;
 };
-/// The weight is 4 w, for 4 facing_weight() = (1 + cosine)² (3 − (1 + cosine)).
+/// 4 facing_weight() = (1 + cosine)² (3 − (1 + cosine)).
 static inline Seen see(const LaneTargets& t, const TensorSource& s) {
     const Vector d = {s.x * t.per_radius - t.place.x, s.y * t.per_radius - t.place.y,
                       s.z * t.per_radius - t.place.z};
     const Floats inside = at_least(1 - d.x * d.x - d.y * d.y - d.z * d.z, 0);
-    // 1 + cosine
+    // 1 + cosine, the constant first, so that it joins a multiplication
     const Floats facing =
         s.normal[2] * t.normal.z + (s.normal[1] * t.normal.y + (s.normal[0] * t.normal.x + 1.f));
     const Floats root = inside * facing;
@@ -72,16 +71,15 @@ static inline Seen see(const LaneTargets& t, const TensorSource& s) {
 /// Sources whose weights are kept, so that registers hold either what these need or some sums.
 constexpr std::size_t kTogether = 32;
 
-// Multiplications bound this loop: tensors are summed in space and projected at the end; weights
-// are corrected on storing.
+// Multiplications bound the time, so tensors are summed in space and projected at the end.
 static inline void sum(const TensorTargets& targets, const TensorSource* sources, std::size_t count,
                        std::size_t lane, TensorSums& sums) {
     using Sums = TensorSums;
     const LaneTargets t = lane_targets(targets, lane);
     Floats weight{}, x_sum{}, y_sum{}, xx{}, xy{}, yy{};
     Tensors s_sum, xs_sum, ys_sum;
-    for (; count > 0; sources += kTogether) {
-        const std::size_t some = count < kTogether ? count : kTogether;
+    for (std::size_t some; count > 0; sources += some, count -= some) {
+        some = count < kTogether ? count : kTogether;
         Floats w[kTogether], wx[kTogether], wy[kTogether];
         for (std::size_t i = 0; i < some; ++i) {
             const Seen seen = see(t, sources[i]);
@@ -90,34 +88,33 @@ static inline void sum(const TensorTargets& targets, const TensorSource* sources
             weight += w[i], x_sum += wx[i], y_sum += wy[i];
             xx += wx[i] * seen.x, xy += wx[i] * seen.y, yy += wy[i] * seen.y;
         }
-        add(sources, w, some, s_sum);
-        add(sources, wx, some, xs_sum);
-        add(sources, wy, some, ys_sum);
-        count -= some;
+        add_weighted(sources, w, some, s_sum);
+        add_weighted(sources, wx, some, xs_sum);
+        add_weighted(sources, wy, some, ys_sum);
     }
-    store_quarter(sums.numbers[Sums::kWeight] + lane, weight);
-    store_quarter(sums.numbers[Sums::kX] + lane, x_sum);
-    store_quarter(sums.numbers[Sums::kY] + lane, y_sum);
-    store_quarter(sums.numbers[Sums::kXX] + lane, xx);
-    store_quarter(sums.numbers[Sums::kXY] + lane, xy);
-    store_quarter(sums.numbers[Sums::kYY] + lane, yy);
-    store_quarter(&sums.numbers[Sums::kEntries], lane, s_sum, t.u, t.v);
-    store_quarter(&sums.numbers[Sums::kXEntries], lane, xs_sum, t.u, t.v);
-    store_quarter(&sums.numbers[Sums::kYEntries], lane, ys_sum, t.u, t.v);
+    store(sums.numbers[Sums::kWeight] + lane, weight);
+    store(sums.numbers[Sums::kX] + lane, x_sum);
+    store(sums.numbers[Sums::kY] + lane, y_sum);
+    store(sums.numbers[Sums::kXX] + lane, xx);
+    store(sums.numbers[Sums::kXY] + lane, xy);
+    store(sums.numbers[Sums::kYY] + lane, yy);
+    store(&sums.numbers[Sums::kEntries], lane, s_sum, t.u, t.v);
+    store(&sums.numbers[Sums::kXEntries], lane, xs_sum, t.u, t.v);
+    store(&sums.numbers[Sums::kYEntries], lane, ys_sum, t.u, t.v);
 }
 
 static inline void sum_all(const TensorTargets& targets, const TensorSource* sources,
                            std::size_t count, TensorSums& sums) {
-    for (std::size_t lane = 0; lane < kSlopeLanes; lane += kLanes)
+    for (std::size_t lane = 0; lane < kTensorLanes; lane += kLanes)
         sum(targets, sources, count, lane, sums);
 }
 
 }  // namespace SIMD_SET
 
 template <>
-const SlopeLoops& functions_of<SlopeLoops, InstructionSet::SIMD_SET>() {
+const TensorLoops& functions_of<TensorLoops, InstructionSet::SIMD_SET>() {
     using namespace SIMD_SET;
-    static constexpr SlopeLoops functions = {sum_all};
+    static constexpr TensorLoops functions = {sum_all};
     return functions;
 }
 
