@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "laplacian_lines/error.h"
@@ -33,49 +35,24 @@ struct FieldColumn {
     float* (*write)(Field&);
 };
 
-/// Whether an entry is floats without gaps.
-template <class>
-inline constexpr bool kIsFloats = false;
-template <>
-inline constexpr bool kIsFloats<float> = true;
-template <>
-inline constexpr bool kIsFloats<ShapeOperator> = true;
-template <int Count>
-inline constexpr bool kIsFloats<Eigen::Matrix<float, Count, 1>> = true;
-
-/// The functions of a row, for a vector of Field.
-template <auto Member>
-struct ColumnFunctions;
-template <class Entry, std::vector<Entry> Field::*Member>
-struct ColumnFunctions<Member> {
-    static_assert(kIsFloats<Entry>);
-    static constexpr int floats = int(sizeof(Entry) / sizeof(float));
-
-    static std::size_t size(const Field& field) { return (field.*Member).size(); }
-    static void resize(Field& field, std::size_t count) { (field.*Member).resize(count); }
-    static const float* read(const Field& field) {
-        return reinterpret_cast<const float*>((field.*Member).data());
-    }
-    static float* write(Field& field) { return reinterpret_cast<float*>((field.*Member).data()); }
-};
-
-enum class ColumnPresence { Always, Optional };
-
+/// The row of a vector of Field whose entries are floats without gaps.
 template <auto Member>
 constexpr FieldColumn field_column(const char* key, const char* help, const char* unit,
                                    std::array<FieldAttribute, 2> attributes,
-                                   ColumnPresence presence = ColumnPresence::Always) {
-    using Functions = ColumnFunctions<Member>;
-    return {key,
-            help,
-            unit,
-            Functions::floats,
-            attributes,
-            presence == ColumnPresence::Optional,
-            Functions::size,
-            Functions::resize,
-            Functions::read,
-            Functions::write};
+                                   bool optional = false) {
+    using Entry = typename std::decay_t<decltype(std::declval<Field&>().*Member)>::value_type;
+    static_assert(sizeof(Entry) % sizeof(float) == 0);
+    return {
+        key,
+        help,
+        unit,
+        int(sizeof(Entry) / sizeof(float)),
+        attributes,
+        optional,
+        [](const Field& field) { return (field.*Member).size(); },
+        [](Field& field, std::size_t entries) { (field.*Member).resize(entries); },
+        [](const Field& field) { return reinterpret_cast<const float*>((field.*Member).data()); },
+        [](Field& field) { return reinterpret_cast<float*>((field.*Member).data()); }};
 }
 
 /// One row per column; attributes, their documentation and all checks of sizes come from it. New
@@ -92,13 +69,12 @@ inline constexpr std::array kFieldColumns = {
     field_column<&Field::smooth_curvatures>(
         "smooth_curvatures",
         "S̄, the shape operator smoothed with the kernel: (uu, uv, vv) in the tangent frame",
-        "1/length", {{{"ll_smooth_curvature", 3}}}, ColumnPresence::Optional),
+        "1/length", {{{"ll_smooth_curvature", 3}}}, true),
     field_column<&Field::curvature_derivatives>(
         "curvature_derivatives",
         "C = ∇S, the derivative of S along the surface: (uuu, uuv, uvv) and vvv in the tangent "
         "frame",
-        "1/length²", {{{"ll_curvature_derivative", 3}, {"ll_curvature_derivative_vvv", 1}}},
-        ColumnPresence::Optional),
+        "1/length²", {{{"ll_curvature_derivative", 3}, {"ll_curvature_derivative_vvv", 1}}}, true),
 };
 
 inline bool is_present(const FieldColumn& column, const Field& field) {

@@ -36,34 +36,6 @@ struct LineKindDescription {
     std::uint32_t color = 0;         ///< by default, 0xRRGGBB
     std::uint32_t key_color = 0;     ///< where many kinds are drawn; 0: the common line color
     double width = 1;                ///< by default, in widths of a Laplacian line of full weight
-
-    // Modifiers for rows of the table.
-    constexpr LineKindDescription as_bound() const {
-        LineKindDescription row = *this;
-        row.bounds_form = true;
-        row.width = 2;
-        return row;
-    }
-    constexpr LineKindDescription on_request() const {
-        LineKindDescription row = *this;
-        row.shown = false;
-        return row;
-    }
-    constexpr LineKindDescription of_derivatives() const {
-        LineKindDescription row = on_request();
-        row.needs_derivatives = true;
-        return row;
-    }
-    constexpr LineKindDescription in_color(std::uint32_t rgb) const {
-        LineKindDescription row = with_key_color(rgb);
-        row.color = rgb;
-        return row;
-    }
-    constexpr LineKindDescription with_key_color(std::uint32_t rgb) const {
-        LineKindDescription row = *this;
-        row.key_color = rgb;
-        return row;
-    }
 };
 
 /// One row per kind, in the order of their numbers.
@@ -72,56 +44,44 @@ inline constexpr std::array kLineKinds = {
                         "Folds and feet of forms: where the Laplacian of the shading is zero.",
                         "Laplacian line", "Laplacian lines"},
     LineKindDescription{LineKind::Contour, "contours", "Outlines",
-                        "Where the surface turns away from the eye.", "outline", "outlines"}
-        .as_bound(),
+                        "Where the surface turns away from the eye.", "outline", "outlines", true,
+                        true, false, 0, 0, 2},
     LineKindDescription{LineKind::Ridge, "ridges", "Ridges",
-                        "Convex edges of the form, sharp or rounded.", "ridge", "ridges"}
-        .with_key_color(0x7a4b2a),
+                        "Convex edges of the form, sharp or rounded.", "ridge", "ridges", false,
+                        true, false, 0, 0x7a4b2a},
     LineKindDescription{LineKind::Border, "borders", "Borders", "Of holes and open surfaces.",
-                        "border", "borders"}
-        .as_bound()
-        .with_key_color(0x6b6b6b),
+                        "border", "borders", true, true, false, 0, 0x6b6b6b, 2},
     LineKindDescription{LineKind::Crease, "creases", "Creases",
                         "Sharp edges of the form, on meshes of few triangles, such as those of "
                         "CAD programs, and of many.",
-                        "crease", "creases"}
-        .with_key_color(0x4a5b6b),
+                        "crease", "creases", false, true, false, 0, 0x4a5b6b},
     LineKindDescription{LineKind::Valley, "valleys", "Valleys",
                         "Concave edges of the form, sharp or rounded: the bottoms of grooves.",
-                        "valley", "valleys"}
-        .on_request()
-        .with_key_color(0x1b8a9c),
+                        "valley", "valleys", false, false, false, 0, 0x1b8a9c},
     LineKindDescription{LineKind::DemarcatingCurve, "demarcating_curves", "Demarcating Curves",
                         "Along which a relief turns most sharply from hollow to "
                         "bulging: its middle height on every flank.",
-                        "demarcating curve", "demarcating curves"}
-        .of_derivatives()
-        .with_key_color(0x8a3c93),
+                        "demarcating curve", "demarcating curves", false, false, true, 0, 0x8a3c93},
     LineKindDescription{LineKind::SuggestiveContour, "suggestive_contours", "Suggestive Contours",
                         "Where outlines would begin if the object turned a little (DeCarlo "
                         "and others 2003).",
-                        "suggestive contour", "suggestive contours"}
-        .of_derivatives()
-        .in_color(0x1f4e99),
-    LineKindDescription{LineKind::SuggestiveHighlight, "suggestive_highlights",
-                        "Suggestive Highlights",
-                        "Counterparts of suggestive contours where the surface turns "
-                        "towards the eye (DeCarlo and Rusinkiewicz 2007).",
-                        "suggestive highlight", "suggestive highlights"}
-        .of_derivatives()
-        .in_color(0xd08a1d),
+                        "suggestive contour", "suggestive contours", false, false, true, 0x1f4e99,
+                        0x1f4e99},
+    LineKindDescription{
+        LineKind::SuggestiveHighlight, "suggestive_highlights", "Suggestive Highlights",
+        "Counterparts of suggestive contours where the surface turns "
+        "towards the eye (DeCarlo and Rusinkiewicz 2007).",
+        "suggestive highlight", "suggestive highlights", false, false, true, 0xd08a1d, 0xd08a1d},
     LineKindDescription{LineKind::ApparentRidge, "apparent_ridges", "Apparent Ridges",
                         "Ridges and valleys of the surface as it is seen from the eye (Judd "
                         "and others 2007).",
-                        "apparent ridge", "apparent ridges"}
-        .of_derivatives()
-        .in_color(0xa3282f),
+                        "apparent ridge", "apparent ridges", false, false, true, 0xa3282f,
+                        0xa3282f},
     LineKindDescription{LineKind::PhoticExtremum, "photic_extrema", "Photic Extremum Lines",
                         "Where the shading changes most on its way from dark to bright (Xie "
                         "and others 2007).",
-                        "photic extremum line", "photic extremum lines"}
-        .of_derivatives()
-        .in_color(0x2e7d4f),
+                        "photic extremum line", "photic extremum lines", false, false, true,
+                        0x2e7d4f, 0x2e7d4f},
 };
 inline constexpr std::size_t kLineKindCount = kLineKinds.size();
 

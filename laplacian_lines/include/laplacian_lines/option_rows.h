@@ -11,18 +11,10 @@
 /// struct to a number, a switch or an enumeration. Public, for programs with options of their own.
 namespace laplacian_lines::option_rows {
 
-template <class>
-struct MemberTraits;
-template <class Owner, class Value>
-struct MemberTraits<Value Owner::*> {
-    using Options = Owner;
-};
+template <class Owner, class Value, class... Rest>
+Owner owner_of(Value Owner::*, Rest...);
 template <auto... Path>
-struct PathTraits;
-template <auto First, auto... Rest>
-struct PathTraits<First, Rest...> : MemberTraits<decltype(First)> {};
-template <auto... Path>
-using OptionsOf = typename PathTraits<Path...>::Options;
+using OptionsOf = decltype(owner_of(Path...));
 
 template <auto... Path>
 OptionRow<OptionsOf<Path...>> row(const char* key, const char* label, OptionKind kind,

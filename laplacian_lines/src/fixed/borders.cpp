@@ -33,8 +33,8 @@ bool are_bent(const Surface& surface, Sides first, Sides last) {
 /// A side of each border, in the order of edges.
 std::vector<std::uint32_t> border_sides(const Surface& surface) {
     // by the table: also beside triangles without an area
-    auto open = collect<std::uint32_t>(surface.sides().side_count(), [&](auto side, auto& found) {
-        if (!surface.sides().has_neighbour(side)) found.push_back(side);
+    auto open = numbers_where(surface.sides().side_count(), [&](std::uint32_t side) {
+        return !surface.sides().has_neighbour(side);
     });
     const auto edge = [&](std::uint32_t side) {
         return edge_between(surface.begin(side), surface.end(side));

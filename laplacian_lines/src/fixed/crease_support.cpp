@@ -74,10 +74,9 @@ private:
                 });
             return goes_on[0] && goes_on[1];
         };
-        const auto find = [&](std::uint32_t i, std::vector<std::uint32_t>& found) {
-            if (edges_[i].is_unclear() && !closes_gap(i)) found.push_back(i);
-        };
-        for (const std::uint32_t i : collect<std::uint32_t>(edges_.size(), find))
+        for (const std::uint32_t i : numbers_where(edges_.size(), [&](std::uint32_t i) {
+                 return edges_[i].is_unclear() && !closes_gap(i);
+             }))
             drop(i);
     }
 
@@ -112,9 +111,7 @@ private:
         const auto is_loose = [&](std::uint32_t i) {
             return is_kept(i) && !edges_[i].is_certain() && !is_supported(i);
         };
-        auto open = collect<std::uint32_t>(edges_.size(), [&](std::uint32_t i, auto& found) {
-            if (is_loose(i)) found.push_back(i);
-        });
+        auto open = numbers_where(edges_.size(), is_loose);
         while (!open.empty()) {
             const std::uint32_t i = open.back();
             open.pop_back();

@@ -13,7 +13,7 @@
 namespace laplacian_lines {
 namespace {
 
-using Sample = RidgeCandidates::Sample;
+using Sample = ZeroLines::Sample;
 
 // How the angle of an edge is measured:
 //  1. Walk over the surface across the line, every .3 % of D. T(d) is the angle by which the normal
@@ -189,7 +189,7 @@ private:
 
 }  // namespace
 
-void measure_ridge_angles(const Surface& surface, Crest crest, RidgeCandidates& candidates) {
+void measure_ridge_angles(const Surface& surface, Crest crest, ZeroLines& candidates) {
     LineSet& lines = candidates.lines;
     in_parallel(lines.lines.size(), [&](std::size_t number) {
         const Polyline& line = lines.lines[number];

@@ -103,7 +103,7 @@ private:
 
 }  // namespace
 
-RidgeCandidates find_ridge_candidates(const ExtractorData& data, Crest crest) {
+ZeroLines find_ridge_candidates(const ExtractorData& data, Crest crest) {
     return find_zero_lines<ClusterRidges>(data, crest.kind, kLeastRidgeLength / kMostSharpness,
                                           crest.sign);
 }

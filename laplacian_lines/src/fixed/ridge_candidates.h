@@ -22,12 +22,10 @@ constexpr Crest kConvexCrest{LineKind::Ridge, 1}, kConcaveCrest{LineKind::Valley
 /// curvature and t = tr S, they are the zeros of ∇t·e₁ at which ∇t falls along e₁; ∇t is the
 /// tangential part of Δn (Δn = −‖S‖² n + ∇t), so the heat kernel makes them as robust as Laplacian
 /// lines. Only where one convex curvature dominates, k₁ > 2|k₂|, and only if long enough.
-using RidgeCandidates = ZeroLines;
-
-RidgeCandidates find_ridge_candidates(const ExtractorData& data, Crest crest);
+ZeroLines find_ridge_candidates(const ExtractorData& data, Crest crest);
 
 /// Sets the gradient of each point of the candidates to the angle of the edge there, in degrees,
 /// see ridge_angles.cpp. The number of threads does not matter.
-void measure_ridge_angles(const Surface& surface, Crest crest, RidgeCandidates& candidates);
+void measure_ridge_angles(const Surface& surface, Crest crest, ZeroLines& candidates);
 
 }  // namespace laplacian_lines

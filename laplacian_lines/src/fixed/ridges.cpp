@@ -99,8 +99,8 @@ public:
     }
 
 private:
-    static RidgeCandidates find(const ExtractorData& data, FixedLines& all) {
-        RidgeCandidates found = find_ridge_candidates(data, crest);
+    static ZeroLines find(const ExtractorData& data, FixedLines& all) {
+        ZeroLines found = find_ridge_candidates(data, crest);
         measure_ridge_angles(*all.surface(data), crest, found);
         return found;
     }

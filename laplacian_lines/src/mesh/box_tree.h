@@ -128,11 +128,15 @@ public:
     const std::vector<std::uint32_t>& order() const { return order_; }
 
     /// Calls visit(number) for the elements whose boxes meet `box`, which it may shrink, until it
-    /// returns false. Returns whether it never did.
+    /// returns false, if it returns anything. Returns whether it never did.
     template <class Visit>
     bool visit(const Box& box, Visit visit) const {
-        return levels_.empty() ||
-               visit_nodes(top(), 0, box, 0, [&](std::size_t i) { return visit(order_[i]); });
+        return levels_.empty() || visit_nodes(top(), 0, box, 0, [&](std::size_t i) {
+                   if constexpr (std::is_void_v<decltype(visit(order_[i]))>)
+                       return visit(order_[i]), true;
+                   else
+                       return visit(order_[i]);
+               });
     }
 
     /// Two subtrees whose boxes meet, or the same one twice.

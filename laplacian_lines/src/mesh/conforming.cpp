@@ -98,7 +98,6 @@ bool join_places(const Borders& borders, std::vector<std::uint32_t>& place_of) {
             const double distance = (borders.positions[v] - borders.positions[other]).norm();
             if (other < v && distance <= double(std::min(borders.cracks[v], borders.cracks[other])))
                 found.emplace_back(v, distance, other);
-            return true;
         });
     };
     auto pairs = collect<Pair>(ends.size(), find);
@@ -131,7 +130,6 @@ Cuts find_cuts(const Borders& borders) {
             const double crack = std::min(crack_at(sides[s]), double(borders.cracks[v]));
             if (lies_between(positions, v, sides[s][0], sides[s][1], crack))
                 found.emplace_back(s, v);
-            return true;
         });
     };
     Cuts cuts;
@@ -228,9 +226,8 @@ std::vector<std::uint32_t> sides_at_borders(const std::vector<Triangle>& triangl
         for (auto side = std::uint32_t(3 * t); side < 3 * t + 3; ++side)
             __atomic_fetch_add(&sum_of(side), signed_hash(triangles, side), __ATOMIC_RELAXED);
     });
-    return collect<std::uint32_t>(3 * triangles.size(), [&](std::uint32_t side, auto& found) {
-        if (sum_of(side) != 0) found.push_back(side);
-    });
+    return numbers_where(3 * triangles.size(),
+                         [&](std::uint32_t side) { return sum_of(side) != 0; });
 }
 
 /// The two sides of each edge between positions that has two, on different edges between vertices.
@@ -319,30 +316,21 @@ Precision precision_of(const std::vector<Vector3d>& positions, const Eigen::Alig
 }
 
 bool is_closed(const std::vector<Triangle>& triangles) {
-    const auto of_block = [&](std::size_t begin, std::size_t end) {
-        std::uint64_t sum = 0;
-        for (auto side = std::uint32_t(3 * begin); side < 3 * end; ++side)
-            sum += signed_hash(triangles, side);
-        return sum;
-    };
-    return join_blocks(triangles.size(), std::uint64_t(0), of_block, std::plus<>()) == 0;
+    return sum_of<std::uint64_t>(3 * triangles.size(), [&](std::size_t side) {
+               return signed_hash(triangles, std::uint32_t(side));
+           }) == 0;
 }
 
 bool are_two_sided(const std::vector<Triangle>& triangles) {
-    const auto of_block = [&](std::size_t begin, std::size_t end) {
-        std::uint64_t sum = 0;
-        for (std::size_t t = begin; t < end; ++t) {
-            const auto [a, b, c] = triangles[t];
-            const bool faces_back = (a > b) ^ (a > c) ^ (b > c);
-            Triangle sorted = triangles[t];
-            std::sort(sorted.begin(), sorted.end());
-            const std::uint64_t hash =
-                mix_hash(sorted[2], std::uint64_t(sorted[0]) << 32 | sorted[1]);
-            sum += faces_back ? -hash : hash;
-        }
-        return sum;
+    const auto hash = [&](std::size_t t) {
+        const auto [a, b, c] = triangles[t];
+        const bool faces_back = (a > b) ^ (a > c) ^ (b > c);
+        Triangle sorted = triangles[t];
+        std::sort(sorted.begin(), sorted.end());
+        const std::uint64_t hash = mix_hash(sorted[2], std::uint64_t(sorted[0]) << 32 | sorted[1]);
+        return faces_back ? -hash : hash;
     };
-    return join_blocks(triangles.size(), std::uint64_t(0), of_block, std::plus<>()) == 0;
+    return sum_of<std::uint64_t>(triangles.size(), hash) == 0;
 }
 
 std::vector<Edge> border_edges(const std::vector<Triangle>& triangles, std::size_t vertices) {

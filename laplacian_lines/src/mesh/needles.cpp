@@ -145,8 +145,8 @@ void flip_low_triangles(const Positions& positions, double least_height,
     const auto is_low = [&](std::uint32_t t) {
         return height_of(positions, triangles[t]) <= least_height;
     };
-    auto low = collect<std::uint32_t>(triangles.size(), [&](std::uint32_t t, auto& found) {
-        if (has_three_corners(triangles[t]) && is_low(t)) found.push_back(t);
+    auto low = numbers_where(triangles.size(), [&](std::uint32_t t) {
+        return has_three_corners(triangles[t]) && is_low(t);
     });
     if (low.empty()) return;
     EdgesAt at(corners_of(low, triangles, positions.size()), triangles);
@@ -175,11 +175,9 @@ void flip_low_triangles(const Positions& positions, double least_height,
 }
 
 void unfold_needles(const Positions& positions, std::vector<Triangle>& triangles) {
-    const auto needles =
-        collect<std::uint32_t>(triangles.size(), [&](std::uint32_t t, auto& found) {
-            if (has_three_corners(triangles[t]) && is_needle(positions, triangles[t]))
-                found.push_back(t);
-        });
+    const auto needles = numbers_where(triangles.size(), [&](std::uint32_t t) {
+        return has_three_corners(triangles[t]) && is_needle(positions, triangles[t]);
+    });
     if (needles.empty()) return;
     EdgesAt at(corners_of(needles, triangles, positions.size()), triangles);
     std::vector<bool> is_changed(triangles.size());

@@ -108,7 +108,6 @@ public:
                 if (outer != b && components_[outer].box.contains(component.box) &&
                     is_pierced(other, from))
                     ++crossings[outer];
-                return true;
             });
             for (const auto& [outer, count] : crossings)
                 if (count % 2 == 1) component.around.push_back(outer);

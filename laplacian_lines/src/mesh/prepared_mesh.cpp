@@ -161,9 +161,7 @@ void keep_used_vertices(const TriangleMesh& mesh, PreparedMesh& prepared) {
             __atomic_store_n(&number[v], 0, __ATOMIC_RELAXED);
     });
     prepared.original_vertex =
-        collect<std::uint32_t>(number.size(), [&](std::uint32_t v, auto& used) {
-            if (number[v] != kUnused) used.push_back(v);
-        });
+        numbers_where(number.size(), [&](std::uint32_t v) { return number[v] != kUnused; });
     prepared.report.non_finite_vertices = std::size_t(sum_of(
         number.size(), [&](std::size_t v) { return mesh.positions[v].allFinite() ? 0. : 1.; }));
     prepared.report.unreferenced_vertices =

@@ -4,7 +4,7 @@
 // on a grid, slab by slab along its longest axis:
 //  1. Spread: each mass times monomials of its normal (normal_moments.h) goes to the nodes around
 //     it, 4 x 4 x 4, by cubic B-splines.
-//  2. Convolve the nodes along x, y and z (grid_convolution.h) with the filter of spline_kernel.h.
+//  2. Convolve the nodes along x, y and z (grid_convolution.h) with the filter of spline_kernel().
 //  3. Interpolate at each vertex, and take the gradient, from 5 x 5 x 5 nodes, by quartic splines.
 //  4. Contract these moments with the normal at p, which gives the first two sums; the third is 2h
 //     times the gradient of the first.
@@ -15,12 +15,53 @@
 
 #include "sums/grid_convolution.h"
 #include "sums/normal_moments.h"
-#include "sums/spline_kernel.h"
 #include "sums/summation_cost.h"
 #include "system/simd_sets.h"
 
 namespace laplacian_lines {
 namespace {
+
+constexpr double kPi = EIGEN_PI;
+constexpr int kFrequencies = 512;  // at which K is sampled: taps reach less than that
+constexpr int kAliases = 4;        // to either side: others are below 1e-7 of the sums
+
+/// Fourier transform of the B-spline of a degree.
+double spline_transform(double w, int degree) {
+    return std::pow(std::sin(w / 2) / (w / 2), degree + 1);
+}
+
+/// K(w), w in radians a cell.
+double influence(double w, double sigma) {
+    double spread_aliases = 0, value_aliases = 0;
+    for (int m = -kAliases; m <= kAliases; ++m) {
+        spread_aliases += std::pow(spline_transform(w + 2 * kPi * m, 3), 2);
+        value_aliases += std::pow(spline_transform(w + 2 * kPi * m, 4), 2);
+    }
+    const double gaussian = sigma * std::sqrt(2 * kPi) * std::exp(-sigma * sigma * w * w / 2);
+    return gaussian * spline_transform(w, 3) * spline_transform(w, 4) /
+           (spread_aliases * value_aliases);
+}
+
+/// The filter that goes from nodes, onto which cubic B-splines have spread masses, to values half a
+/// cell further on, from which quartic B-splines interpolate Σ m exp(−x²/2σ²). σ in cells.
+/// Symmetric: tap j, 0 <= j < count, is for nodes at the distance j + 1/2.
+/// Spreading by a spline of degree 3 multiplies the spectrum of the masses by that spline's
+/// transform U₃(w), and the nodes repeat it at all w + 2πm, its aliases; interpolation multiplies
+/// by U₄ at every alias. The filter K has to make up for both. The one whose error is least, on
+/// average over all places of the nodes, is the optimal influence function of R. W. Hockney and J.
+/// W. Eastwood, "Computer Simulation Using Particles", section 8-3, along one axis:
+///     K(w) = G(w) U₃(w) U₄(w) / (Σ_m U₃(w + 2πm)² · Σ_m U₄(w + 2πm)²),
+/// with the Gaussian's transform G, whose own aliases vanish. Taps are its inverse transform.
+std::vector<double> spline_kernel(double sigma, int count) {
+    std::vector<double> taps(std::size_t(count), 0);
+    for (int f = 0; f < kFrequencies; ++f) {
+        const double w = kPi * (f + 0.5) / kFrequencies;
+        const double value = influence(w, sigma) / kFrequencies;
+        for (int j = 0; j < count; ++j)
+            taps[std::size_t(j)] += value * std::cos((j + 0.5) * w);
+    }
+    return taps;
+}
 
 /// Nodes to each side of a value half way between two of them; size: √h in cells.
 int tap_count(double size, const GridResolution& resolution) {

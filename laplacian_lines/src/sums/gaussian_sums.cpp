@@ -67,8 +67,8 @@ private:
             const std::uint32_t v = std::min(begin + lane, leaf_.end - 1);
             const Eigen::Vector3f p = (mesh_.positions[v] - centre_).cast<float>();
             const Eigen::Vector3f n = (normals_[v] - mean_normal_).cast<float>();
-            t.x[lane] = p.x(), t.y[lane] = p.y(), t.z[lane] = p.z();
-            t.nx[lane] = n.x(), t.ny[lane] = n.y(), t.nz[lane] = n.z();
+            for (const int axis : {0, 1, 2})
+                t.position[axis][lane] = p[axis], t.normal[axis][lane] = n[axis];
         }
         Eigen::Map<Eigen::Vector3f>(t.mean_normal) = mean_normal_.cast<float>();
         t.squared_cutoff = float(std::pow(kernel_.cutoff * kernel_.size, 2));
@@ -84,8 +84,8 @@ private:
              ++lane) {
             const std::uint32_t v = begin + lane;
             sums.mass[v] = s.mass[lane];
-            sums.first_moment[v] = {s.mx[lane], s.my[lane], s.mz[lane]};
-            sums.normal_difference[v] = {s.nx[lane], s.ny[lane], s.nz[lane]};
+            sums.first_moment[v] = {s.moment[0][lane], s.moment[1][lane], s.moment[2][lane]};
+            sums.normal_difference[v] = {s.normal[0][lane], s.normal[1][lane], s.normal[2][lane]};
         }
     }
 

@@ -12,6 +12,8 @@
 namespace laplacian_lines {
 namespace SIMD_SET {
 
+using Vector = SpaceVectors<Floats>;
+
 constexpr float kRound = 12582912.f;  // 1.5·2^23: adding it rounds to an integer
 constexpr float kQuickFactor = 0.0780245226f, kQuickUnit = 8388608;  // 2^23
 
@@ -47,43 +49,34 @@ static inline Floats quick_exp2(Floats x) {
 
 /// Weighted sums at a vector of targets.
 struct LaneSums {
-    Floats mass{}, mx{}, my{}, mz{}, nx{}, ny{}, nz{};
+    Floats mass{};
+    Vector moment{}, normal{};
 };
 
 static inline void store(const LaneSums& s, Floats scale, std::size_t lane, GaussianLaneSums& to) {
-    store(to.mass + lane, scale * s.mass);
-    store(to.mx + lane, scale * s.mx);
-    store(to.my + lane, scale * s.my);
-    store(to.mz + lane, scale * s.mz);
-    store(to.nx + lane, scale * s.nx);
-    store(to.ny + lane, scale * s.ny);
-    store(to.nz + lane, scale * s.nz);
+    store(to.mass + lane, s.mass * scale);
+    store_vectors(s.moment * scale, to.moment, lane);
+    store_vectors(s.normal * scale, to.normal, lane);
 }
 
 static inline void sum(const GaussianTargets& t, const GaussianSource* sources,
                        std::size_t source_count, std::size_t lane, GaussianLaneSums& result) {
-    const Floats x = load(t.x + lane), y = load(t.y + lane), z = load(t.z + lane);
-    const Floats nx = load(t.nx + lane), ny = load(t.ny + lane), nz = load(t.nz + lane);
+    const Vector p = load_vectors(t.position, lane), n = load_vectors(t.normal, lane);
     const float facing_factor = t.facing / 32;
     LaneSums sums;
     for (std::size_t i = 0; i < source_count; ++i) {
         const GaussianSource& s = sources[i];
-        const Floats dx = s.x - x, dy = s.y - y, dz = s.z - z;
-        const Floats squared = dx * dx + dy * dy + dz * dz;
-        const Floats dnx = s.nx - nx, dny = s.ny - ny, dnz = s.nz - nz;
-        const Floats squared_chord = dnx * dnx + dny * dny + dnz * dnz;
+        const Vector d = {s.x - p.x, s.y - p.y, s.z - p.z};
+        const Vector chord = {s.nx - n.x, s.ny - n.y, s.nz - n.z};
+        const Floats squared = dot(d, d), squared_chord = dot(chord, chord);
         // facing_weight() of the cosine 1 − chord²/2
         const Floats facing =
             1.f + (facing_factor * (squared_chord * squared_chord)) * (squared_chord - 6.f);
         const Floats g = exp2_exactly(squared * t.exponent) * (s.mass * facing);
         const Floats w = (Floats)((Ints)g & ~(squared > t.squared_cutoff));
         sums.mass += w;
-        sums.mx += w * dx;
-        sums.my += w * dy;
-        sums.mz += w * dz;
-        sums.nx += w * dnx;
-        sums.ny += w * dny;
-        sums.nz += w * dnz;
+        sums.moment = sums.moment + d * w;
+        sums.normal = sums.normal + chord * w;
     }
     store(sums, Floats{} + t.unit_mass, lane, result);
 }
@@ -98,17 +91,17 @@ struct QuickTargets {
 /// c.
 static inline QuickTargets quick_targets(const GaussianTargets& t, std::size_t lane) {
     QuickTargets q;
-    const Floats px = load(t.x + lane), py = load(t.y + lane), pz = load(t.z + lane);
+    const Vector p = load_vectors(t.position, lane), n = load_vectors(t.normal, lane);
     q.exponent = Floats{} + kQuickUnit * t.exponent;
-    q.x = -2.f * px * q.exponent;
-    q.y = -2.f * py * q.exponent;
-    q.z = -2.f * pz * q.exponent;
-    q.constant_exponent = (px * px + py * py + pz * pz) * q.exponent - kQuickUnit * t.log2_cutoff;
+    q.x = -2.f * p.x * q.exponent;
+    q.y = -2.f * p.y * q.exponent;
+    q.z = -2.f * p.z * q.exponent;
+    q.constant_exponent = dot(p, p) * q.exponent - kQuickUnit * t.log2_cutoff;
     // n_p, or 0, so that 1 + cosine is 2 at all sources.
     const float* mean = t.mean_normal;
-    q.nx = t.facing * (load(t.nx + lane) + mean[0]);
-    q.ny = t.facing * (load(t.ny + lane) + mean[1]);
-    q.nz = t.facing * (load(t.nz + lane) + mean[2]);
+    q.nx = t.facing * (n.x + mean[0]);
+    q.ny = t.facing * (n.y + mean[1]);
+    q.nz = t.facing * (n.z + mean[2]);
     q.constant_cosine = mean[0] * q.nx + mean[1] * q.ny + mean[2] * q.nz + (2 - t.facing);
     return q;
 }
@@ -141,35 +134,23 @@ static inline void sum_quickly(const GaussianTargets& t, const GaussianSource* s
         for (std::size_t i = 0; i < some; ++i) {
             const GaussianSource& s = sources[i];
             sums.mass += w[i];
-            sums.mx += w[i] * s.x;
-            sums.my += w[i] * s.y;
-            sums.mz += w[i] * s.z;
-            sums.nx += w[i] * s.nx;
-            sums.ny += w[i] * s.ny;
-            sums.nz += w[i] * s.nz;
+            sums.moment = sums.moment + Vector{w[i] * s.x, w[i] * s.y, w[i] * s.z};
+            sums.normal = sums.normal + Vector{w[i] * s.nx, w[i] * s.ny, w[i] * s.nz};
         }
     }
-    sums.mx -= sums.mass * load(t.x + lane);
-    sums.my -= sums.mass * load(t.y + lane);
-    sums.mz -= sums.mass * load(t.z + lane);
-    sums.nx -= sums.mass * load(t.nx + lane);
-    sums.ny -= sums.mass * load(t.ny + lane);
-    sums.nz -= sums.mass * load(t.nz + lane);
+    sums.moment = sums.moment - load_vectors(t.position, lane) * sums.mass;
+    sums.normal = sums.normal - load_vectors(t.normal, lane) * sums.mass;
     // What quick_weight() left out.
     const Floats scale =
         -0.25f * kQuickFactor * t.unit_mass * exp2_exactly(Floats{} + t.log2_cutoff);
     store(sums, scale, lane, result);
 }
 
+template <auto Sum>
 static void sum_all(const GaussianTargets& t, const GaussianSource* sources, std::size_t count,
                     GaussianLaneSums& sums) {
     for (std::size_t lane = 0; lane < kTargets; lane += kLanes)
-        sum(t, sources, count, lane, sums);
-}
-static void sum_all_quickly(const GaussianTargets& t, const GaussianSource* sources,
-                            std::size_t count, GaussianLaneSums& sums) {
-    for (std::size_t lane = 0; lane < kTargets; lane += kLanes)
-        sum_quickly(t, sources, count, lane, sums);
+        Sum(t, sources, count, lane, sums);
 }
 
 }  // namespace SIMD_SET
@@ -177,7 +158,7 @@ static void sum_all_quickly(const GaussianTargets& t, const GaussianSource* sour
 template <>
 const GaussianLoops& functions_of<GaussianLoops, InstructionSet::SIMD_SET>() {
     using namespace SIMD_SET;
-    static constexpr GaussianLoops functions = {sum_all, sum_all_quickly};
+    static constexpr GaussianLoops functions = {sum_all<sum>, sum_all<sum_quickly>};
     return functions;
 }
 

@@ -17,8 +17,7 @@ struct alignas(32) GaussianSource {
 
 /// Unused lanes may repeat others.
 struct GaussianTargets {
-    alignas(64) float x[kTargets], y[kTargets], z[kTargets];
-    alignas(64) float nx[kTargets], ny[kTargets], nz[kTargets];
+    alignas(64) float position[3][kTargets], normal[3][kTargets];
     float squared_cutoff;
     float exponent;     ///< −log2(e)/(4h): exp2(exponent·|q−p|²)
     float log2_cutoff;  ///< exponent·squared_cutoff
@@ -27,10 +26,9 @@ struct GaussianTargets {
     float facing;  ///< 1: times facing_weight(n_q·n_p); 0: not
 };
 
-/// Moments are those of q − p, normals of n_q − n_p.
+/// Of q − p and n_q − n_p.
 struct GaussianLaneSums {
-    alignas(64) float mass[kTargets], mx[kTargets], my[kTargets], mz[kTargets];
-    alignas(64) float nx[kTargets], ny[kTargets], nz[kTargets];
+    alignas(64) float mass[kTargets], moment[3][kTargets], normal[3][kTargets];
 };
 
 /// See simd_sets.h.

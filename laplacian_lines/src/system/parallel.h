@@ -150,6 +150,14 @@ std::vector<T> collect(std::size_t count, Find find, std::size_t grain = kBlockE
     return concatenate(found);
 }
 
+/// Those below `count` for which test(number), ascending.
+template <class Test>
+std::vector<std::uint32_t> numbers_where(std::size_t count, Test test) {
+    return collect<std::uint32_t>(count, [&](std::uint32_t number, auto& found) {
+        if (test(number)) found.push_back(number);
+    });
+}
+
 /// Joins value(begin, end) of the blocks to `start` in order, so that the number of threads does
 /// not matter.
 template <class T, class Value, class Join>
@@ -163,15 +171,15 @@ T join_blocks(std::size_t count, T start, Value value, Join join) {
     return start;
 }
 
-template <class ValueOf>
-double sum_of(std::size_t count, ValueOf value_of) {
+template <class Number = double, class ValueOf>
+Number sum_of(std::size_t count, ValueOf value_of) {
     const auto sum = [&](std::size_t begin, std::size_t end) {
-        double sum = 0;
+        Number sum = 0;
         for (std::size_t i = begin; i < end; ++i)
             sum += value_of(i);
         return sum;
     };
-    return join_blocks(count, 0., sum, [](double a, double b) { return a + b; });
+    return join_blocks(count, Number(0), sum, std::plus<>());
 }
 
 /// Halves `whole` recursively, each level in parallel, until all threads have a share or parts are

@@ -97,6 +97,14 @@ static inline auto load_vectors(const Number (&p)[3][Count], std::size_t lane) {
                                               load(p[2] + lane)};
 }
 
+template <std::size_t Count>
+static inline void store_vectors(const SpaceVectors<Floats>& v, float (&to)[3][Count],
+                                 std::size_t lane) {
+    store(to[0] + lane, v.x);
+    store(to[1] + lane, v.y);
+    store(to[2] + lane, v.z);
+}
+
 // ---- rows of four numbers ----
 
 typedef float Float4 __attribute__((vector_size(16)));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "visibility/edge_building.h"
-
 #include <algorithm>
+#include <set>
 
 #include "system/disjoint_sets.h"
+#include "visibility/surface_contacts.h"
 
 namespace laplacian_lines {
 namespace {
@@ -24,12 +24,10 @@ void divide_side(const VisibilityMesh& mesh, const std::vector<SurfaceContacts::
     };
     auto contact =
         std::lower_bound(on_edges.begin(), on_edges.end(), SurfaceContacts::OnEdge{edge, 0});
-    std::vector<std::pair<double, std::uint32_t>> on;
+    std::set<std::pair<double, std::uint32_t>> on;
     for (; contact != on_edges.end() && contact->edge == edge; ++contact)
-        on.emplace_back((mesh.positions[contact->vertex] - mesh.positions[edge[0]]).squaredNorm(),
-                        contact->vertex);
-    std::sort(on.begin(), on.end());
-    on.erase(std::unique(on.begin(), on.end()), on.end());
+        on.emplace((mesh.positions[contact->vertex] - mesh.positions[edge[0]]).squaredNorm(),
+                   contact->vertex);
     std::uint32_t last = edge[0];
     for (const auto& [distance, vertex] : on) {
         add(last, vertex);
@@ -62,7 +60,7 @@ void group_by_edge(const std::vector<LooseSide>& loose, VisibilityMesh& mesh) {
     const auto add_edge = [&](const std::uint32_t* begin, const std::uint32_t* end, Part& part) {
         const std::size_t first = part.sides.size();
         const Edge& edge = loose[*begin].edge;
-        part.edges.push_back({{edge[0], edge[1]}, std::uint32_t(first)});
+        part.edges.push_back({edge, std::uint32_t(first)});
         for (const std::uint32_t* i = begin; i != end; ++i)
             part.sides.push_back(loose[*i].side);
         sort_sides(first, part.sides);

@@ -46,17 +46,14 @@ void EdgeOnFaces::find_triangles() {
         const Vector3d to_eye = picture_.frame().towards_eye(mesh_.positions[corners[0]]);
         is_edge_on_[t] = std::abs(mesh_.normal(std::uint32_t(t)).dot(to_eye)) < least;
     });
-    triangles_ = collect<std::uint32_t>(is_edge_on_.size(), [&](std::uint32_t t, auto& found) {
-        if (is_edge_on_[t]) found.push_back(t);
-    });
+    triangles_ = numbers_where(is_edge_on_.size(), [&](std::uint32_t t) { return is_edge_on_[t]; });
     if (triangles_.empty()) is_edge_on_.clear();
 }
 
 EdgeOnFaces::Edges EdgeOnFaces::edges_of_triangles() const {
-    return collect<std::uint32_t>(mesh_.edge_count(), [&](std::uint32_t e, Edges& found) {
+    return numbers_where(mesh_.edge_count(), [&](std::uint32_t e) {
         const VisibilityMesh::Side *begin = mesh_.sides_of(e), *end = begin + mesh_.side_count(e);
-        if (std::any_of(begin, end, [&](const auto& side) { return is_edge_on(side.triangle); }))
-            found.push_back(e);
+        return std::any_of(begin, end, [&](const auto& side) { return is_edge_on(side.triangle); });
     });
 }
 

@@ -65,7 +65,6 @@ private:
         std::vector<std::uint32_t> others;
         tree_.visit(box_of(i), [&](std::uint32_t k) {
             if (!divides || k > i) others.push_back(k);
-            return true;
         });
         std::sort(others.begin(), others.end());
         for (const std::uint32_t k : others)

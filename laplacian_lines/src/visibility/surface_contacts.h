@@ -38,4 +38,9 @@ struct SurfaceContacts {
 /// each on an edge. @throws Error(Cancelled)
 SurfaceContacts find_surface_contacts(VisibilityMesh& mesh, const StageProgress& stage);
 
+/// Sets edges, sides and bodies of a mesh: sides of triangles and cuts are divided at the vertices
+/// on them, given in ascending order, and grouped by edge. Both triangles of a cut lie on both
+/// sides of it.
+void build_edges(const SurfaceContacts& contacts, VisibilityMesh& mesh);
+
 }  // namespace laplacian_lines

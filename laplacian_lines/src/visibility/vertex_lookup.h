@@ -17,13 +17,10 @@ public:
     template <class IsWanted>
     VertexLookup(const VisibilityMesh& mesh, IsWanted is_wanted)
         : positions_(mesh.positions), step_(1 / std::sqrt(double(positions_.size()))) {
-        auto vertices =
-            collect<std::uint32_t>(positions_.size(), [&](std::uint32_t v, auto& found) {
-                if (is_wanted(v)) found.push_back(v);
+        tree_ = BoxTree<3>::along_curve(
+            numbers_where(positions_.size(), is_wanted), local_box(), [&](std::uint32_t v) {
+                return Eigen::AlignedBox3f(positions_[v].cast<float>().eval());
             });
-        tree_ = BoxTree<3>::along_curve(std::move(vertices), local_box(), [&](std::uint32_t v) {
-            return Eigen::AlignedBox3f(positions_[v].cast<float>().eval());
-        });
     }
 
     /// Calls visit(vertex) for all vertices within `reach` of a straight line, some of them more
@@ -35,10 +32,7 @@ public:
         for (double i = 0; i < pieces; ++i) {
             const auto box = box_around(from + i / pieces * (to - from),
                                         from + (i + 1) / pieces * (to - from), reach);
-            tree_.visit(box, [&](std::uint32_t vertex) {
-                visit(vertex);
-                return true;
-            });
+            tree_.visit(box, visit);
         }
     }
 

@@ -7,13 +7,12 @@
 //  4. Merge ends of cuts with the vertices that they coincide with; find vertices on cuts; move
 //     vertices on edges onto them.
 //  5. Divide sides of triangles and cuts at the vertices on them, and group them by edge
-//     (edge_building.h).
+//     (edge_building.cpp).
 #include "visibility/visibility_mesh.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "laplacian_lines/error.h"
 #include "mesh/bounding_box.h"
@@ -22,7 +21,7 @@
 #include "mesh/equal_positions.h"
 #include "mesh/needles.h"
 #include "mesh/triangle_sizes.h"
-#include "visibility/edge_building.h"
+#include "visibility/surface_contacts.h"
 #include "visibility/vertex_lookup.h"
 
 namespace laplacian_lines {
@@ -72,11 +71,7 @@ template <class Visit>
 void visit_triangles(const VisibilityMesh& mesh, const SurfaceContacts& contacts, const Edge& line,
                      Visit visit) {
     contacts.triangles.visit(
-        box_around(mesh.positions[line[0]], mesh.positions[line[1]], mesh.precision),
-        [&](std::uint32_t t) {
-            visit(t);
-            return true;
-        });
+        box_around(mesh.positions[line[0]], mesh.positions[line[1]], mesh.precision), visit);
 }
 
 /// For each end of a cut, which are the vertices from `first_end` on, the first vertex within the
@@ -209,15 +204,11 @@ void find_edges(VisibilityMesh& mesh, const StageProgress& stage) {
 }  // namespace
 
 std::uint32_t VisibilityMesh::edge_between(std::uint32_t a, std::uint32_t b) const {
-    const auto ends = std::minmax(a, b);
+    const auto ends = laplacian_lines::edge_between(a, b);
     const auto last = edges.begin() + std::ptrdiff_t(edge_count());
-    const auto edge =
-        std::lower_bound(edges.begin(), last, ends, [](const Edge& e, const auto& of) {
-            return std::tie(e.vertices[0], e.vertices[1]) < std::tie(of.first, of.second);
-        });
-    const bool is_there =
-        edge != last && edge->vertices[0] == ends.first && edge->vertices[1] == ends.second;
-    return is_there ? std::uint32_t(edge - edges.begin()) : kNoEdge;
+    const auto edge = std::lower_bound(
+        edges.begin(), last, ends, [](const Edge& e, const auto& of) { return e.vertices < of; });
+    return edge != last && edge->vertices == ends ? std::uint32_t(edge - edges.begin()) : kNoEdge;
 }
 
 Vector3d VisibilityMesh::normal(std::uint32_t triangle) const {

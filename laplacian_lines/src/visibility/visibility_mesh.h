@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -27,8 +28,8 @@ struct VisibilityMesh {
         std::uint32_t is_reversed : 1;
     };
     struct Edge {
-        std::uint32_t vertices[2];  ///< ascending
-        std::uint32_t first_side;   ///< in `sides`, up to that of the next edge
+        std::array<std::uint32_t, 2> vertices;  ///< ascending
+        std::uint32_t first_side;               ///< in `sides`, up to that of the next edge
     };
 
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();

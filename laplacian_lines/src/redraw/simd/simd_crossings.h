@@ -97,12 +97,6 @@ private:
 
 // ---- crossings ----
 
-template <std::size_t Count>
-static inline void store_vectors(const Vectors& v, float (&to)[3][Count], std::size_t lane) {
-    store(to[0] + lane, v.x);
-    store(to[1] + lane, v.y);
-    store(to[2] + lane, v.z);
-}
 static inline Vectors cross(const Vectors& a, const Vectors& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
