@@ -10,7 +10,6 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "field/field_steps.h"
 #include "mesh/corner_normals.h"
@@ -85,8 +84,7 @@ std::vector<Vector3d> designed_laplacian(const PreparedMesh& mesh, double kernel
     PointCloud cloud = point_cloud(mesh, corners, vertices, kSpacing * kernel_size);
     PreparedMesh points;
     points.positions.swap(cloud.positions);
-    points.original_vertex.resize(points.size());
-    std::iota(points.original_vertex.begin(), points.original_vertex.end(), 0u);
+    points.original_vertex = numbers_up_to(points.size());
     const SpatialTree tree = sort_in_space(points);
     std::vector<Vector3d> normals_of_points(points.size());
     ShapeOperators operators(points.size());

@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -120,9 +119,7 @@ public:
     /// For the numbers below `count`.
     template <class BoxOf>
     static BoxTree along_curve(std::size_t count, const Box& bounds, BoxOf box_of) {
-        std::vector<std::uint32_t> numbers(count);
-        std::iota(numbers.begin(), numbers.end(), 0u);
-        return along_curve(std::move(numbers), bounds, box_of);
+        return along_curve(numbers_up_to(count), bounds, box_of);
     }
 
     const std::vector<std::uint32_t>& order() const { return order_; }

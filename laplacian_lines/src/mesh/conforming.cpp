@@ -16,7 +16,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -103,8 +102,7 @@ bool join_places(const Borders& borders, std::vector<std::uint32_t>& place_of) {
     auto pairs = collect<Pair>(ends.size(), find);
     if (pairs.empty()) return false;
     std::sort(pairs.begin(), pairs.end());
-    std::vector<std::uint32_t> first(place_of.size());
-    std::iota(first.begin(), first.end(), 0u);
+    std::vector<std::uint32_t> first = numbers_up_to(place_of.size());
     for (const auto& [v, distance, other] : pairs)
         if (first[v] == v && first[other] == other) first[v] = other;
     for (std::uint32_t& place : place_of)

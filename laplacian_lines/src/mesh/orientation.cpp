@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "mesh/box_tree.h"
@@ -141,8 +140,7 @@ private:
 
 /// From the outside inwards: what is within solid matter is turned with it.
 void flip_together(std::vector<Component>& components) {
-    std::vector<std::uint32_t> order(components.size());
-    std::iota(order.begin(), order.end(), 0u);
+    std::vector<std::uint32_t> order = numbers_up_to(components.size());
     const auto depth = [&](std::uint32_t b) { return components[b].around.size(); };
     std::stable_sort(order.begin(), order.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return depth(a) < depth(b); });

@@ -13,7 +13,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 #include <string>
 
@@ -68,9 +67,8 @@ void check_indices(const TriangleMesh& mesh) {
 
 std::vector<Triangle> usable_triangles(const Positions& positions,
                                        const std::vector<Triangle>& triangles) {
-    return collect<Triangle>(triangles.size(), [&](std::uint32_t t, std::vector<Triangle>& usable) {
-        if (!is_degenerate(positions, triangles[t])) usable.push_back(triangles[t]);
-    });
+    return kept(triangles,
+                [&](std::uint32_t t) { return !is_degenerate(positions, triangles[t]); });
 }
 
 void expect_surface(const std::vector<Triangle>& usable) {
@@ -78,12 +76,6 @@ void expect_surface(const std::vector<Triangle>& usable) {
         throw Error(ErrorCode::EmptyMesh,
                     "The mesh has no triangle with an area. Laplacian lines need a surface: for a "
                     "point cloud, reconstruct one first.");
-}
-
-std::vector<std::uint32_t> numbers_up_to(std::size_t count) {
-    std::vector<std::uint32_t> numbers(count);
-    std::iota(numbers.begin(), numbers.end(), 0u);
-    return numbers;
 }
 
 /// Gives vertices that only copies of triangles used the representative of another at their place.

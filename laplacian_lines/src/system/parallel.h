@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <numeric>
 #include <tuple>
 #include <vector>
 
@@ -155,6 +156,20 @@ template <class Test>
 std::vector<std::uint32_t> numbers_where(std::size_t count, Test test) {
     return collect<std::uint32_t>(count, [&](std::uint32_t number, auto& found) {
         if (test(number)) found.push_back(number);
+    });
+}
+
+inline std::vector<std::uint32_t> numbers_up_to(std::size_t count) {
+    std::vector<std::uint32_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), 0u);
+    return numbers;
+}
+
+/// The elements for which keep(number), in their order.
+template <class T, class Keep>
+std::vector<T> kept(const std::vector<T>& all, Keep keep) {
+    return collect<T>(all.size(), [&](std::uint32_t number, std::vector<T>& kept) {
+        if (keep(number)) kept.push_back(all[number]);
     });
 }
 

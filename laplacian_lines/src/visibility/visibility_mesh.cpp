@@ -43,15 +43,6 @@ bool is_finite(const TriangleMesh& mesh, const Triangle& t) {
     });
 }
 
-/// Keeps those for which keep(triangle).
-template <class Keep>
-void keep_triangles(VisibilityMesh& mesh, Keep keep) {
-    mesh.triangles =
-        collect<Triangle>(mesh.triangles.size(), [&](std::uint32_t t, std::vector<Triangle>& kept) {
-            if (keep(t)) kept.push_back(mesh.triangles[t]);
-        });
-}
-
 Triangle sorted(Triangle t) {
     std::sort(t.begin(), t.end());
     return t;
@@ -59,11 +50,11 @@ Triangle sorted(Triangle t) {
 
 /// Drops triangles without height, and all but one of those with the same corners.
 void drop_triangles(VisibilityMesh& mesh) {
-    keep_triangles(mesh, [&](std::uint32_t t) {
+    mesh.triangles = kept(mesh.triangles, [&](std::uint32_t t) {
         return height_of(mesh.positions, mesh.triangles[t]) > mesh.precision;
     });
     const std::vector<std::uint32_t> first = first_equal_triangles(mesh.triangles, sorted);
-    keep_triangles(mesh, [&](std::uint32_t t) { return first[t] == t; });
+    mesh.triangles = kept(mesh.triangles, [&](std::uint32_t t) { return first[t] == t; });
 }
 
 /// Calls visit(triangle) for those that pass within the precision of a straight line.
