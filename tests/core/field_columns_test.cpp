@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of the field's columns, and the documentation that has to follow it.
+// The table of the field's columns, and the documentation that has to follow it and that of kinds.
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 #include <string>
 
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/field_columns.h"
 #include "laplacian_lines/line_extractor.h"
+#include "laplacian_lines/line_kind.h"
 #include "laplacian_lines/precompute.h"
 #include "registry.h"
 #include "test_paths.h"
@@ -29,10 +28,10 @@ std::string documented_names(const FieldColumn& column) {
 }
 
 std::string all_documents() {
-    std::ostringstream text;
+    std::string text;
     for (const auto& entry : std::filesystem::directory_iterator(test_paths::repository() / "docs"))
-        if (entry.path().extension() == ".md") text << std::ifstream(entry.path()).rdbuf();
-    return text.str();
+        if (entry.path().extension() == ".md") text += test_paths::content(entry.path());
+    return text;
 }
 
 TEST(FieldColumns, HaveAttributesForAllFloats) {
@@ -76,6 +75,14 @@ TEST(FieldColumns, AreDocumented) {
         EXPECT_NE(text.find(column.help), std::string::npos) << text;
         EXPECT_NE(text.find(column.unit), std::string::npos) << text;
     }
+}
+
+TEST(LineKinds, HaveTheirNumbersDocumented) {
+    std::string numbers;
+    for (const LineKindDescription& row : kLineKinds)
+        numbers += (numbers.empty() ? "" : ", ") + std::to_string(int(row.kind)) + " " + row.one;
+    const std::string document = test_paths::content("docs/script.md");
+    EXPECT_NE(document.find("`ll_kind` (" + numbers + ")"), std::string::npos) << numbers;
 }
 
 }  // namespace

@@ -11,12 +11,13 @@
 #include <QTemporaryDir>
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 
 #include "laplacian_lines/error.h"
+#include "test_paths.h"
 
 using namespace line_drawing;
+using test_paths::content;
 namespace fs = std::filesystem;
 
 namespace {
@@ -49,11 +50,6 @@ private:
     QTemporaryDir folder_;
 };
 
-std::string content_of(const std::string& file) {
-    std::ifstream input(file);
-    return {std::istreambuf_iterator<char>(input), {}};
-}
-
 /// The refusal's message, or nothing.
 template <class Work>
 std::string complaint_of(Work work) {
@@ -74,11 +70,11 @@ TEST_F(AtomicFiles, OldOnesStayWhereverTheDiskEnds) {
         EXPECT_NE(complaint.find("sheet.svg"), complaint.npos) << bytes << ": " << complaint;
         EXPECT_NE(complaint.find("File too large"), complaint.npos) << bytes << complaint;
     }
-    EXPECT_EQ(content_of(file), "old");
+    EXPECT_EQ(content(file), "old");
     EXPECT_EQ(file_count(), 1);
     const FullDisk disk(data.size());
     write_atomically(file, data);
-    EXPECT_EQ(content_of(file), data);
+    EXPECT_EQ(content(file), data);
 }
 
 TEST_F(AtomicFiles, NamesAreNotCut) {
@@ -95,7 +91,7 @@ TEST_F(AtomicFiles, LinksAreFollowed) {
     write_atomically(file, "old");
     fs::create_symlink(file, link);
     write_atomically(link, "new");
-    EXPECT_EQ(content_of(file), "new");
+    EXPECT_EQ(content(file), "new");
     EXPECT_TRUE(fs::is_symlink(link));
 }
 

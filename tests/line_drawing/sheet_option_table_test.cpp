@@ -2,7 +2,6 @@
 // The table of sheet options, what is made from it, and the example of a script that follows it.
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <set>
 #include <sstream>
 
@@ -15,12 +14,6 @@ using namespace line_drawing;
 namespace {
 
 using Place = SheetOption::Place;
-
-std::string content(const char* file) {
-    std::ifstream input(test_paths::repository() / file);
-    EXPECT_TRUE(input) << file;
-    return {std::istreambuf_iterator<char>(input), {}};
-}
 
 bool has(const std::string& text, const std::string& part) {
     return text.find(part) != text.npos;
@@ -117,7 +110,7 @@ std::string in_script(const SheetOption& option) {
 }
 
 TEST(SheetOptions, OfTheFilterAreInTheExample) {
-    const std::string example = content("docs/examples/laplacian_lines_drawing.mlx");
+    const std::string example = test_paths::content("docs/examples/laplacian_lines_drawing.mlx");
     for (const SheetOption& option : options_of(Place::Filter))
         EXPECT_TRUE(has(example, in_script(option) + '\n')) << in_script(option);
 }

@@ -3,20 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <QTextDocument>
-#include <fstream>
 #include <iterator>
-#include <sstream>
 
 #include "filters.h"
 #include "test_paths.h"
 
 namespace {
-
-std::string content(const std::string& file) {
-    std::ostringstream text;
-    text << std::ifstream(test_paths::repository() / file).rdbuf();
-    return text.str();
-}
 
 struct Dialog {
     const char* example;
@@ -34,7 +26,8 @@ TEST(FilterParameters, AreFewAndInTheExamples) {
         const Dialog& dialog = kDialogs[i];
         RichParameterList list;
         filters[i].list_parameters(nullptr, list);
-        const std::string example = content(std::string("docs/examples/") + dialog.example);
+        const std::string example =
+            test_paths::content(std::string("docs/examples/") + dialog.example);
         int count = 0, in_example = 0;
         for (const RichParameter& parameter : list) {
             const std::string name = parameter.name().toStdString();
