@@ -117,9 +117,7 @@ protected:
     }
 
     void expect_same_state_whatever_is_drawn() {
-        Rectangles rectangles;
-        rectangles.add(20, 20, 90, 70, 0);
-        const line_renderer::SurfacePointer surface = rectangles.surface();
+        const auto surface = Rectangles().add(20, 20, 90, 70, 0).surface();
         expect_same_state("background", [&] { surfaces_.paint_background(); });
         expect_same_state("copy of depths", [&] {
             depth_.forget_depth_buffer();

@@ -90,14 +90,15 @@ QColor color_at(const QImage& picture, int x, int y) {
     return picture.pixelColor(x, picture.height() - 1 - y);
 }
 
-void Rectangles::add(double x, double y, double columns, double rows, double z,
-                     const Eigen::Vector3f& normal) {
+Rectangles& Rectangles::add(double x, double y, double columns, double rows, double z,
+                            const Eigen::Vector3f& normal) {
     const auto first = std::uint32_t(surface_.vertices.size());
     for (const auto& [right, up] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}})
         surface_.vertices.push_back(
             {Eigen::Vector3d(x + right * columns, y + up * rows, z).cast<float>(), normal});
     surface_.triangles.push_back({first, first + 1, first + 2});
     surface_.triangles.push_back({first, first + 2, first + 3});
+    return *this;
 }
 
 SurfacePointer Rectangles::surface() const {

@@ -51,8 +51,8 @@ QColor color_at(const QImage& picture, int x, int y);
 /// Rectangles that face the eye, with any normals.
 class Rectangles {
 public:
-    void add(double x, double y, double columns, double rows, double z,
-             const Eigen::Vector3f& normal = {0, 0, 1});
+    Rectangles& add(double x, double y, double columns, double rows, double z,
+                    const Eigen::Vector3f& normal = {0, 0, 1});
     line_renderer::SurfacePointer surface() const;
 
 private:

@@ -85,7 +85,8 @@ TEST_F(HiddenLinesTest, HaveTheirFullWidthAlongAnEdge) {
 LineSet contour(bool follows_edge) {
     LineSet result = kLine;
     result.lines[0].kind = LineKind::Contour;
-    if (follows_edge) put_on_vertices(result, 0, result.points.size());
+    for (laplacian_lines::LinePoint& point : result.points)
+        if (follows_edge) point.gradient = 0;  // on vertices
     return result;
 }
 
@@ -153,10 +154,8 @@ TEST_F(HiddenLinesTest, AreDashedIfWanted) {
 /// With points and wires drawn, the texture has only the surface. They stand out slightly and hide
 /// nothing; what is well in front does.
 TEST_F(HiddenLinesTest, AreThoseBehindTheTextureAndWellBehindTheDepthBuffer) {
-    Rectangles far;
-    far.add(80, 0, 80, Canvas::height, -0.5);
-    Rectangles near;
-    near.add(80, 0, 80, Canvas::height, 0.5);
+    const Rectangles far = Rectangles().add(80, 0, 80, Canvas::height, -0.5),
+                     near = Rectangles().add(80, 0, 80, Canvas::height, 0.5);
     line_renderer::SurfaceBuffers buffers;
     LinePlacement placement = Canvas::placement();
     placement.diagonal = 0.1;

@@ -14,7 +14,6 @@ namespace {
 using Eigen::Vector3f;
 using laplacian_lines::LinePoint;
 using laplacian_lines::LineSet;
-using laplacian_lines::Polyline;
 using line_renderer::kNeighbourOnly;
 using line_renderer::LinePlacement;
 using line_renderer::StreamPoint;
@@ -53,20 +52,11 @@ StreamSettings settings() {
     return result;
 }
 
-void append(LineSet& lines, const std::vector<LinePoint>& points, bool closed = false) {
-    Polyline line;
-    line.first = std::uint32_t(lines.points.size());
-    line.count = std::uint32_t(points.size());
-    line.closed = closed;
-    lines.lines.push_back(line);
-    lines.points.insert(lines.points.end(), points.begin(), points.end());
-}
-
 /// Of a single line, without marks.
 std::vector<StreamPoint> points_of(const std::vector<LinePoint>& points,
                                    const StreamSettings& settings) {
     LineSet lines;
-    append(lines, points);
+    add_line(lines, points);
     const std::vector<StreamPoint> stream = written_stream(lines, settings);
     return {stream.begin() + 1, stream.end() - 1};
 }
@@ -100,8 +90,8 @@ TEST(LineSimplification, JoinsTheEndsOfClosedLines) {
         circle.push_back({{0.1f * std::cos(angle), 0.1f * std::sin(angle), 0}, 1, 0, 1});
     }
     LineSet lines;
-    append(lines, circle, true);
-    append(lines, circle, true);
+    for (int i = 0; i < 2; ++i)
+        add_line(lines, circle, laplacian_lines::LineKind::Laplacian, true);
     const std::vector<StreamPoint> stream = written_stream(lines, settings());
     const std::size_t length = stream.size() / 2;
     EXPECT_LT(length, 60u);

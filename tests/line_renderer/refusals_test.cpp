@@ -54,9 +54,7 @@ protected:
 };
 
 TEST_F(RefusalsTest, ProgramsThatFailAreCompiledOnce) {
-    Rectangles rectangles;
-    rectangles.add(20, 20, 90, 70, 0);
-    const line_renderer::SurfacePointer surface = rectangles.surface();
+    const auto surface = Rectangles().add(20, 20, 90, 70, 0).surface();
     line_renderer::SurfaceBuffers buffers;
     line_renderer::SurfaceRenderer surfaces;
     const auto paint_surface = [&] {

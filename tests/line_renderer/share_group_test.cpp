@@ -12,11 +12,7 @@ struct Renderers {
     line_renderer::LineRenderer lines;
     line_renderer::SurfacePointer surface;
 
-    Renderers() {
-        Rectangles rectangles;
-        rectangles.add(20, 20, 90, 70, 0);
-        surface = rectangles.surface();
-    }
+    Renderers() { surface = Rectangles().add(20, 20, 90, 70, 0).surface(); }
 
     QImage picture() {
         const Canvas canvas;
@@ -62,8 +58,7 @@ int buffers_in_use() {
 using SurfaceBuffersTest = GlTest;
 
 TEST_F(SurfaceBuffersTest, AreFreedWhenTheirSurfaceIsGone) {
-    Rectangles rectangles;
-    rectangles.add(20, 20, 90, 70, 0);
+    const Rectangles rectangles = Rectangles().add(20, 20, 90, 70, 0);
     line_renderer::SurfaceBuffers buffers;
     line_renderer::SurfacePointer gone = rectangles.surface();
     const line_renderer::SurfacePointer kept = rectangles.surface();

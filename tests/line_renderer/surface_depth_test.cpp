@@ -65,10 +65,8 @@ TEST_F(SurfaceDepthTest, CannotCopySeveralSamplesAPixel) {
 }
 
 TEST_F(SurfaceDepthTest, DrawsTheNearestOfAllLayers) {
-    Rectangles front, back;
-    front.add(20, 20, 40, 40, 0.5);
-    back.add(0, 0, 100, 120, -0.5);
-    const SurfacePointer surfaces[] = {front.surface(), back.surface()};
+    const SurfacePointer surfaces[] = {Rectangles().add(20, 20, 40, 40, 0.5).surface(),
+                                       Rectangles().add(0, 0, 100, 120, -0.5).surface()};
     SurfaceLayer moved = layer_of(surfaces[0]);
     moved.transform(0, 3) = 60;
     canvas_.put_depth(0, 0, Canvas::width, Canvas::height, 0.9);
@@ -83,9 +81,7 @@ TEST_F(SurfaceDepthTest, DrawsTheNearestOfAllLayers) {
 }
 
 TEST_F(SurfaceDepthTest, LeavesOutBackFacesWhereTheyAreCulled) {
-    Rectangles rectangles;
-    rectangles.add(0, 0, 160, 120, 0.5);
-    const SurfacePointer surface = rectangles.surface();
+    const SurfacePointer surface = Rectangles().add(0, 0, 160, 120, 0.5).surface();
     SurfaceLayer layer = layer_of(surface);
     layer.culls_back_faces = true;
     EXPECT_NEAR(Depths(depth_.update({layer}, buffers_)).at(80, 60), Canvas::depth_of(0.5), kTiny);
@@ -98,9 +94,7 @@ TEST_F(SurfaceDepthTest, LeavesOutBackFacesWhereTheyAreCulled) {
 
 /// The texture is drawn anew only after changes.
 TEST_F(SurfaceDepthTest, FollowsLayersCameraAndViewport) {
-    Rectangles rectangles;
-    rectangles.add(0, 0, 160, 120, 0.5);
-    const SurfacePointer surface = rectangles.surface();
+    const SurfacePointer surface = Rectangles().add(0, 0, 160, 120, 0.5).surface();
     SurfaceLayer layer = layer_of(surface);
     const auto expect = [&](double z, const char* after) {
         for (int time = 0; time < 2; ++time)
@@ -120,9 +114,7 @@ TEST_F(SurfaceDepthTest, FollowsLayersCameraAndViewport) {
 }
 
 TEST_F(SurfaceDepthTest, IsEmptyWhereASurfaceIsGone) {
-    Rectangles rectangles;
-    rectangles.add(0, 0, 160, 120, 0.5);
-    const SurfaceLayer gone = layer_of(rectangles.surface());
+    const SurfaceLayer gone = layer_of(Rectangles().add(0, 0, 160, 120, 0.5).surface());
     EXPECT_EQ(Depths(depth_.update({gone}, buffers_)).at(80, 60), 1);
 }
 

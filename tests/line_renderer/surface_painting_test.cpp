@@ -38,10 +38,9 @@ protected:
 };
 
 TEST_F(SurfacePaintingTest, PaperIsWhiteAndNowhereElseAndHasNoDepth) {
-    Rectangles rectangles;
-    rectangles.add(10, 10, 50, 40, 0, normal_at(0.1f));
-    rectangles.add(80, 20, 30, 70, 0.2, normal_at(1));
-    const QImage picture = painted(rectangles);
+    const QImage picture = painted(Rectangles()
+                                       .add(10, 10, 50, 40, 0, normal_at(0.1f))
+                                       .add(80, 20, 30, 70, 0.2, normal_at(1)));
     for (int x = 0; x < Canvas::width; ++x)
         for (int y = 0; y < Canvas::height; ++y) {
             const bool is_left = x >= 10 && x < 60 && y >= 10 && y < 50;
@@ -82,9 +81,7 @@ TEST_F(SurfacePaintingTest, LeavesWhatIsNearer) {
     canvas_.put_depth(0, 0, 50, Canvas::height, 0.5);
     canvas_.put_depth(50, 0, 50, Canvas::height, 0.0004);
     canvas_.put_depth(100, 0, 60, Canvas::height, 0.0016);
-    Rectangles rectangles;
-    rectangles.add(0, 0, 160, 120, 0);
-    const QImage picture = painted(rectangles);
+    const QImage picture = painted(Rectangles().add(0, 0, 160, 120, 0));
     EXPECT_EQ(color_at(picture, 25, 60), kNothing);
     EXPECT_EQ(color_at(picture, 75, 60), kPaper);
     EXPECT_EQ(color_at(picture, 125, 60), kNothing);
@@ -94,9 +91,7 @@ TEST_F(SurfacePaintingTest, LeavesWhatIsNearer) {
 TEST_F(SurfacePaintingTest, CurvedFacesCoverTheFlatOnesBeforeThem) {
     canvas_.put_depth(0, 0, 50, Canvas::height, 0.05);
     canvas_.put_depth(50, 0, 50, Canvas::height, 0.001);
-    Rectangles rectangles;
-    rectangles.add(0, 0, 160, 120, 0);
-    line_renderer::Surface curved = *rectangles.surface();
+    line_renderer::Surface curved = *Rectangles().add(0, 0, 160, 120, 0).surface();
     curved.most_behind = 0.002;
     surface_ = std::make_shared<line_renderer::Surface>(curved);
     renderer_.paint(layer_of(surface_), SurfaceStyle::Paper, Eigen::Matrix4d::Identity(),
@@ -108,9 +103,9 @@ TEST_F(SurfacePaintingTest, CurvedFacesCoverTheFlatOnesBeforeThem) {
 
 /// Whichever is drawn last.
 TEST_F(SurfacePaintingTest, PaintsTheNearestFacesOfTheTexture) {
-    Rectangles rectangles;
-    rectangles.add(0, 0, 160, 120, 0.4, normal_at(0.95f));
-    rectangles.add(40, 0, 80, 120, -0.4, normal_at(0.05f));
+    const Rectangles rectangles = Rectangles()
+                                      .add(0, 0, 160, 120, 0.4, normal_at(0.95f))
+                                      .add(40, 0, 80, 120, -0.4, normal_at(0.05f));
     surface_ = rectangles.surface();
     line_renderer::SurfaceDepth depth;
     const DepthTexture texture = depth.update({layer_of(surface_)}, buffers_);
