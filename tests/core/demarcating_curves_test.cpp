@@ -14,9 +14,7 @@ using namespace laplacian_lines;
 const View kView = View::orthographic(Eigen::Vector3d::UnitZ());
 
 LineStyle only_demarcating_curves() {
-    LineStyle style;
-    style.shows = {};
-    style.shows[LineKind::DemarcatingCurve] = true;
+    LineStyle style = helpers::only(LineKind::DemarcatingCurve);
     style.fading = 0;
     style.line_smoothing = 0;
     return style;

@@ -43,18 +43,14 @@ void expect_silhouette(const View& view, const LineStyle& style, double toleranc
 
 const Eigen::Vector3d kDirection = Eigen::Vector3d(0.3, -0.5, 0.8).normalized();
 
-TEST(Sphere, ContoursAreSilhouetteCircles) {
-    for (double distance : {1.3, 2.0, 10.0})
-        expect_silhouette(View::perspective(distance * kDirection), helpers::all_contours(), 5e-4);
-    expect_silhouette(View::orthographic(kDirection), helpers::all_contours(), 5e-4);
-}
-
 /// The paper's form ΔI = Δn·l vanishes on a sphere exactly where n·l does.
-TEST(Sphere, LaplacianLinesCoincideWithTheSilhouette) {
-    for (double distance : {1.3, 2.0, 10.0})
-        expect_silhouette(View::perspective(distance * kDirection), helpers::all_laplacian_lines(),
-                          2e-3);
-    expect_silhouette(View::orthographic(kDirection), helpers::all_laplacian_lines(), 2e-3);
+TEST(Sphere, ContoursAndLaplacianLinesAreSilhouetteCircles) {
+    for (const auto& [style, tolerance] :
+         {std::pair(helpers::all_contours(), 5e-4), {helpers::all_laplacian_lines(), 2e-3}}) {
+        for (double distance : {1.3, 2.0, 10.0})
+            expect_silhouette(View::perspective(distance * kDirection), style, tolerance);
+        expect_silhouette(View::orthographic(kDirection), style, tolerance);
+    }
 }
 
 const Eigen::Vector3d kTorusEye(2.5, -3.5, 2.8);
@@ -135,41 +131,22 @@ TEST(WholeLines, AreCutWhereTheyTurnBack) {
     EXPECT_LT(opacity_at_point(20), 0.1);
 }
 
-struct Drawn {
-    std::size_t lines = 0;
-    double length = 0;
-};
-
-Drawn drawn_of(const TriangleMesh& mesh, LineKind kind, bool whole) {
-    PrecomputeOptions options;
-    options.curvature_derivatives = kind != LineKind::Laplacian;
-    const Field field = precompute(mesh, options);
-    const LineExtractor extractor(mesh, field);
-    LineStyle style;
+float mean_length(const LineExtractor& extractor, LineKind kind, bool whole) {
+    LineStyle style = helpers::only(kind);
     style.whole_lines = whole;
-    style.shows = {};
-    style.shows[kind] = true;
-    LineSet lines;
-    ExtractionScratch scratch;
-    extractor.extract({Eigen::Vector3d(0.3, 0.4, 1), 0}, style, scratch, lines);
-    Drawn drawn;
-    for (const Polyline& line : lines.lines) {
-        ++drawn.lines;
-        drawn.length += double(line.length);
-    }
-    return drawn;
+    const LineSet lines = extract(extractor, View::orthographic({0.3, 0.4, 1}), style);
+    EXPECT_GT(lines.lines.size(), whole ? 0u : 3u);
+    return helpers::total_length(lines) / float(lines.lines.size());
 }
 
 /// Tracing whole mends the dashes that texture cuts.
 TEST(WholeLines, AreFewerAndLongerOnANoisySurface) {
     const TriangleMesh mesh = test_meshes::with_noise(test_meshes::bumpy_sphere(5).mesh, 0.2, 3);
+    const LineExtractor extractor(mesh, helpers::complete_field(mesh));
     for (const LineKind kind :
-         {LineKind::Laplacian, LineKind::SuggestiveContour, LineKind::PhoticExtremum}) {
-        const Drawn dashes = drawn_of(mesh, kind, false), whole = drawn_of(mesh, kind, true);
-        EXPECT_GT(dashes.lines, 3u);
-        EXPECT_GT(whole.length / double(whole.lines), 1.1 * dashes.length / double(dashes.lines))
-            << int(kind) << ": " << dashes.lines << " and " << whole.lines << " lines";
-    }
+         {LineKind::Laplacian, LineKind::SuggestiveContour, LineKind::PhoticExtremum})
+        EXPECT_GT(mean_length(extractor, kind, true), 1.1f * mean_length(extractor, kind, false))
+            << int(kind);
 }
 
 }  // namespace

@@ -47,28 +47,20 @@ void expect_threshold(const Synthetic& synthetic, double LineStyle::*threshold, 
     EXPECT_FALSE(synthetic.is_drawn(style));
 }
 
-TEST(Thresholds, Gradient) {
+TEST(Thresholds, OfGradientStrengthSlopesAndLength) {
     Synthetic synthetic;
     synthetic.gradient = -0.7;
-    expect_threshold(synthetic, &LineStyle::gradient_threshold, 0.7 * Synthetic::kDiagonal);
-}
-
-TEST(Thresholds, Strength) {
-    Synthetic synthetic;
-    synthetic.gradient = -0.7;
-    expect_threshold(synthetic, &LineStyle::strength_threshold, 0.7 * 2);
-}
-
-TEST(Thresholds, Slopes) {
-    Synthetic synthetic;
     synthetic.slope = 2;
     synthetic.kernel_size = 0.4;
-    expect_threshold(synthetic, &LineStyle::segment_slope, 2 * 0.064);
-    expect_threshold(synthetic, &LineStyle::line_slope, 2 * 0.064);
-}
-
-TEST(Thresholds, ShortestLine) {
-    expect_threshold(Synthetic(), &LineStyle::shortest_line, 2 / Synthetic::kDiagonal);
+    for (const auto& [threshold, value] :
+         {std::pair(&LineStyle::gradient_threshold, 0.7 * Synthetic::kDiagonal),
+          {&LineStyle::strength_threshold, 0.7 * 2},
+          {&LineStyle::segment_slope, 2 * 0.064},
+          {&LineStyle::line_slope, 2 * 0.064},
+          {&LineStyle::shortest_line, 2 / Synthetic::kDiagonal}}) {
+        SCOPED_TRACE(value);
+        expect_threshold(synthetic, threshold, value);
+    }
 }
 
 TEST(Thresholds, LeastFacing) {
@@ -210,10 +202,7 @@ TEST(Light, DirectionalLightDrawsItsOwnTerminator) {
     EXPECT_TRUE(lines.lines[0].closed);
     for (const LinePoint& p : lines.points)
         EXPECT_NEAR(p.position.cast<double>().dot(view.light->normalized()), 0, 2e-3);
-    const LineSet lit_contours = extract(extractor, view, helpers::all_contours());
-    ASSERT_EQ(lit_contours.points.size(), contours.points.size());
-    for (std::size_t i = 0; i < contours.points.size(); ++i)
-        EXPECT_EQ(lit_contours.points[i].position, contours.points[i].position);
+    EXPECT_TRUE(helpers::same_lines(extract(extractor, view, helpers::all_contours()), contours));
 }
 
 }  // namespace
