@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <random>
 #include <string>
 
@@ -20,6 +19,8 @@ using namespace laplacian_lines;
 using namespace tie_views;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+using test_meshes::mapped;
+using test_meshes::signed_unit;
 
 /// Unit.
 Vector3d towards_eye(const View& view, const Vector3d& point) {
@@ -29,14 +30,13 @@ Vector3d towards_eye(const View& view, const Vector3d& point) {
 /// Along a ray; NaN if it misses.
 double meeting(const TriangleMesh& mesh, const Triangle& t, const Vector3d& origin,
                const Vector3d& direction) {
-    const double nowhere = std::numeric_limits<double>::quiet_NaN();
     const Vector3d &a = mesh.positions[t[0]], ab = mesh.positions[t[1]] - a,
                    ac = mesh.positions[t[2]] - a;
     const Vector3d p = direction.cross(ac), s = origin - a, q = s.cross(ab);
     const double determinant = ab.dot(p);
-    if (determinant == 0) return nowhere;
+    if (determinant == 0) return test_meshes::kNaN;
     const double u = s.dot(p) / determinant, v = direction.dot(q) / determinant;
-    return u >= 0 && v >= 0 && u + v <= 1 ? ac.dot(q) / determinant : nowhere;
+    return u >= 0 && v >= 0 && u + v <= 1 ? ac.dot(q) / determinant : test_meshes::kNaN;
 }
 
 bool is_before_mesh(const TriangleMesh& mesh, const View& view, const Vector3d& point) {
@@ -87,7 +87,7 @@ struct OutlinePlace {
 OutlinePlace place_in_outlines(const std::vector<ViewLine>& lines, const View& view,
                                const Vector3d& point) {
     const SeenPlane plane(view, point);
-    OutlinePlace result{false, std::numeric_limits<double>::infinity()};
+    OutlinePlace result{false, test_meshes::kInfinity};
     for (const ViewLine& line : lines) {
         if (!line.is_outline) continue;
         for (std::size_t i = 1; i < line.points.size(); ++i) {
@@ -102,13 +102,10 @@ OutlinePlace place_in_outlines(const std::vector<ViewLine>& lines, const View& v
     return result;
 }
 
-/// 0..1.
-double random_unit(std::mt19937& random) {
-    return double(random()) / double(std::mt19937::max());
-}
+/// Coordinates from -1 to 1.
 Vector3d random_vector(std::mt19937& random) {
-    const double x = random_unit(random), y = random_unit(random);
-    return {x, y, random_unit(random)};
+    const double x = signed_unit(random), y = signed_unit(random);
+    return {x, y, signed_unit(random)};
 }
 
 std::size_t open_outlines(const std::vector<ViewLine>& lines) {
@@ -123,7 +120,7 @@ void expect_covered_within(const std::vector<ViewLine>& lines, const TriangleMes
     const double d = box.diagonal().norm();
     std::mt19937 random(11);
     for (int i = 0; i < 60; ++i) {
-        const Vector3d p = box.center() + 0.6 * d * (2 * random_vector(random) - Vector3d::Ones());
+        const Vector3d p = box.center() + 0.6 * d * random_vector(random);
         const OutlinePlace place = place_in_outlines(lines, view, p);
         if (place.distance < 2e-4 * d) continue;
         EXPECT_EQ(place.is_inside, is_before_mesh(mesh, view, p)) << p.transpose();
@@ -216,7 +213,7 @@ TriangleMesh cube_with_junctions(unsigned seed) {
             mesh.triangles.push_back({b, a, c});
             continue;
         }
-        const double share = random() % 2 != 0 ? 0.5 : random_unit(random);
+        const double share = random() % 2 != 0 ? 0.5 : (1 + signed_unit(random)) / 2;
         const auto middle = std::uint32_t(mesh.positions.size());
         mesh.positions.push_back(cube.positions[a] +
                                  share * (cube.positions[b] - cube.positions[a]));
@@ -245,11 +242,10 @@ TEST(ClosedOutlines, OfBoxesThatTouchWithinRounding) {
         TriangleMesh mesh;
         for (unsigned boxes = 2 + seed % 4; boxes > 0; --boxes) {
             const Vector3d low = grid_corner(random), size = Vector3d::Ones() + grid_corner(random);
-            TriangleMesh box = test_meshes::cube(1);
-            for (Vector3d& p : box.positions)
-                p = low + size.cwiseProduct(p + Vector3d::Ones()) +
-                    1e-7 * (2 * random_vector(random) - Vector3d::Ones());
-            test_meshes::append(mesh, box);
+            test_meshes::append(mesh, mapped(test_meshes::cube(1), [&](Vector3d& p) {
+                                    p = low + size.cwiseProduct(p + Vector3d::Ones()) +
+                                        1e-7 * random_vector(random);
+                                }));
         }
         expect_closed_outlines(mesh, some_directions(seed), false);
     }
@@ -258,13 +254,13 @@ TEST(ClosedOutlines, OfBoxesThatTouchWithinRounding) {
 TEST(ClosedOutlines, OfBoxesThroughEachOther) {
     for (unsigned seed = 0; seed < 8; ++seed) {
         SCOPED_TRACE(seed);
-        TriangleMesh mesh = test_meshes::cube(1), other = mesh;
-        for (Vector3d& p : other.positions) {
-            if (seed % 2 != 0) p = Eigen::AngleAxisd(0.2 * seed, Vector3d::UnitZ()) * p;
-            p += Vector3d(0.5 * (seed % 3), 0.25 * (seed % 4), 0.5);
-        }
-        test_meshes::append(mesh, other);
-        expect_closed_outlines(mesh, special_directions());
+        const TriangleMesh one = test_meshes::cube(1),
+                           other = mapped(one, [=](Vector3d&p) {
+                               if (seed % 2 != 0)
+                                   p = Eigen::AngleAxisd(0.2 * seed, Vector3d::UnitZ()) * p;
+                               p += Vector3d(0.5 * (seed % 3), 0.25 * (seed % 4), 0.5);
+                           });
+        expect_closed_outlines(test_meshes::together(one, other), special_directions());
     }
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "helpers.h"
+#include "laplacian_lines/line_mixture.h"
 #include "laplacian_lines/precompute.h"
 #include "laplacian_lines/refinement.h"
 
@@ -14,14 +15,16 @@ namespace {
 using namespace laplacian_lines;
 using helpers::Edge;
 using helpers::edges_of;
+using test_meshes::circle;
+using test_meshes::moved;
+using test_meshes::prism;
+using test_meshes::Ring;
+using test_meshes::together;
 
 constexpr double kTurn = 6.283185307179586;
 
 LineStyle creases_alone() {
-    LineStyle style;
-    style.shows = LineKindSet();
-    style.shows[LineKind::Crease] = true;
-    return style;
+    return helpers::only(LineKind::Crease);
 }
 
 LineSet creases_of(const TriangleMesh& mesh, const LineStyle& style = creases_alone(),
@@ -29,22 +32,9 @@ LineSet creases_of(const TriangleMesh& mesh, const LineStyle& style = creases_al
     return helpers::extract(LineExtractor(mesh, precompute(mesh)), view, style);
 }
 
-using Ring = std::vector<Eigen::Vector3d>;
-
-Ring circle(std::uint32_t sides, double radius, double z, double first_angle = 0) {
-    Ring ring;
-    for (std::uint32_t i = 0; i < sides; ++i) {
-        const double angle = first_angle + kTurn * i / sides;
-        ring.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
-    }
-    return ring;
-}
-
 /// A closed solid around the z axis: rings of as many places each, with a middle at either end.
 TriangleMesh joined(const std::vector<Ring>& rings) {
-    TriangleMesh mesh;
-    for (const Ring& ring : rings)
-        mesh.positions.insert(mesh.positions.end(), ring.begin(), ring.end());
+    TriangleMesh mesh = test_meshes::walls(rings);
     const auto sides = std::uint32_t(rings.front().size());
     const auto bottom = std::uint32_t(mesh.positions.size());
     mesh.positions.push_back({0, 0, rings.front().front().z()});
@@ -54,10 +44,6 @@ TriangleMesh joined(const std::vector<Ring>& rings) {
         const std::uint32_t next = (i + 1) % sides;
         mesh.triangles.push_back({next, i, bottom});
         mesh.triangles.push_back({last + i, last + next, bottom + 1});
-        for (std::uint32_t ring = 0; ring < last; ring += sides) {
-            mesh.triangles.push_back({ring + i, ring + next, ring + sides + next});
-            mesh.triangles.push_back({ring + i, ring + sides + next, ring + sides + i});
-        }
     }
     return mesh;
 }
@@ -70,31 +56,12 @@ TriangleMesh turned(std::uint32_t sides, const std::vector<std::pair<double, dou
     return joined(circles);
 }
 
-/// A closed solid along y over a convex polygon of x and z.
-TriangleMesh prism(const std::vector<std::pair<double, double>>& section, double length) {
-    TriangleMesh mesh;
-    const auto n = std::uint32_t(section.size());
-    for (const double y : {0., length})
-        for (const auto& [x, z] : section)
-            mesh.positions.push_back({x, y, z});
-    for (std::uint32_t i = 0; i < n; ++i) {
-        const std::uint32_t next = (i + 1) % n;
-        mesh.triangles.push_back({i, n + i, n + next});
-        mesh.triangles.push_back({i, n + next, next});
-        if (i < 2) continue;
-        mesh.triangles.push_back({0, i - 1, i});
-        mesh.triangles.push_back({n, n + i, n + i - 1});
-    }
-    return mesh;
-}
-
 /// A square plate of four trapezes around a hole on either side, and their walls.
 TriangleMesh plate_with_hole(std::uint32_t sides) {
     TriangleMesh mesh;
     for (const double z : {0., 0.2}) {
-        for (std::uint32_t i = 0; i < sides; ++i)
-            mesh.positions.push_back(
-                {0.5 * std::cos(kTurn * i / sides), 0.5 * std::sin(kTurn * i / sides), z});
+        const Ring hole = circle(sides, 0.5, z);
+        mesh.positions.insert(mesh.positions.end(), hole.begin(), hole.end());
         for (const auto& [x, y] : {std::pair(1, 1), {-1, 1}, {-1, -1}, {1, -1}})
             mesh.positions.push_back({double(x), double(y), z});
     }
@@ -118,20 +85,17 @@ TriangleMesh plate_with_hole(std::uint32_t sides) {
     return mesh;
 }
 
-/// Edges of a line set that go along the length of prism().
-std::size_t edges_along(const TriangleMesh& mesh, const LineSet& lines) {
-    std::size_t count = 0;
-    for (const Edge& edge : edges_of(mesh, lines))
-        count += mesh.positions[edge.first].y() != mesh.positions[edge.second].y();
-    return count;
-}
-
-/// Edges of a line set that go along the rings of turned().
+/// Edges of a line set that go along the rings of turned() or the polygons of prism().
 std::size_t edges_on_rings(const TriangleMesh& mesh, const LineSet& lines) {
     std::size_t count = 0;
     for (const Edge& edge : edges_of(mesh, lines))
         count += mesh.positions[edge.first].z() == mesh.positions[edge.second].z();
     return count;
+}
+
+/// The others.
+std::size_t edges_along(const TriangleMesh& mesh, const LineSet& lines) {
+    return edges_of(mesh, lines).size() - edges_on_rings(mesh, lines);
 }
 
 TEST(Creases, AreTheTwelveEdgesOfACubeOfAnyFineness) {
@@ -173,9 +137,8 @@ TEST(Creases, AreWeakEdgesBetweenFlatterForms) {
 
 /// However small: the walls of a twisted box are bent along their diagonals, which are no creases.
 TEST(Creases, DoNotDependOnOtherBodies) {
-    const TriangleMesh twisted = joined({circle(4, 1, 0), circle(4, 1, 1.5, 0.2)});
-    TriangleMesh mesh = twisted;
-    test_meshes::append(mesh, test_meshes::moved(test_meshes::cube(1), {-100, 0, 0}, 50));
+    const TriangleMesh twisted = joined({circle(4, 1, 0), circle(4, 1, 1.5, 0.2)}),
+                       mesh = together(twisted, moved(test_meshes::cube(1), {-100, 0, 0}, 50));
     EXPECT_EQ(edges_of(mesh, creases_of(mesh)).size(), 24u);
 }
 
@@ -210,7 +173,7 @@ TEST(Creases, OfFlutedRodsStandAmongLinesOfTheWholeLengthAlone) {
 /// A flat roof of three faces is no arc.
 TEST(Creases, AreTheEdgesOfRoofs) {
     const TriangleMesh house =
-        prism({{-1, 0}, {1, 0}, {1, 1.2}, {0.35, 1.73}, {-0.35, 1.73}, {-1, 1.2}}, 4);
+        prism({{-1, 0}, {1, 0}, {1, 1.2}, {0.35, 1.73}, {-0.35, 1.73}, {-1, 1.2}}, 0, 4);
     EXPECT_EQ(edges_along(house, creases_of(house)), 6u);
 }
 
@@ -278,7 +241,7 @@ TEST(Creases, AreNotTheFacetsOfTwistedFaces) {
 TEST(Creases, AreLowEdgesBetweenFlatFaces) {
     for (const double angle : {4., 5., 10., 20., 35.}) {
         const double slope = std::tan(angle / 2 / 360 * kTurn);
-        const TriangleMesh mesh = prism({{-1, 0}, {1, 0}, {1, 1}, {0, 1 + slope}, {-1, 1}}, 2);
+        const TriangleMesh mesh = prism({{-1, 0}, {1, 0}, {1, 1}, {0, 1 + slope}, {-1, 1}}, 0, 2);
         EXPECT_EQ(edges_of(mesh, creases_of(mesh)).size(), 15u) << angle;
     }
     for (const std::uint32_t sides : {12u, 24u, 64u}) {  // a chamfer of 45 degrees, and one of 15
@@ -306,15 +269,15 @@ TEST(Creases, AreTheLowEdgesOfPyramids) {
 /// that meets its neighbours at angles, its ends.
 TEST(Creases, AreTheEndsOfArcsThatAreNotTangent) {
     for (const int facets : {3, 4, 6, 12}) {
-        std::vector<std::pair<double, double>> fillet{{-2, -2}, {1, -2}}, bulge{{-2, -2}, {1, -2}};
+        std::vector<Eigen::Vector2d> fillet{{-2, -2}, {1, -2}}, bulge = fillet;
         for (int i = 0; i <= facets; ++i) {
             const double angle = kTurn / 4 * i / facets, low = angle / 2 + kTurn / 16;
             fillet.push_back({std::cos(angle), std::sin(angle)});
             bulge.push_back({0.3 + std::cos(low), std::sin(low)});
         }
         for (auto* section : {&fillet, &bulge})
-            section->push_back({-2, section->back().second});
-        const TriangleMesh round = prism(fillet, 1), blunt = prism(bulge, 1);
+            section->push_back({-2, section->back().y()});
+        const TriangleMesh round = prism(fillet), blunt = prism(bulge);
         EXPECT_EQ(edges_along(round, creases_of(round)), 3u) << facets;
         EXPECT_EQ(edges_along(blunt, creases_of(blunt)), 5u) << facets;
     }
@@ -429,9 +392,7 @@ TEST(Creases, AreHardlyAnyOnScansThatWereSubdivided) {
 TEST(Creases, AreLeftToRidgesOnFilletsOfFewTriangles) {
     const auto drawn = [&](const TriangleMesh& mesh, std::initializer_list<LineKind> kinds) {
         LineStyle style = creases_alone();
-        style.shows = {};
-        for (const LineKind kind : kinds)
-            style.shows[kind] = true;
+        style.shows = only_kinds(kinds);
         std::map<LineKind, double> lengths;
         const LineSet lines = creases_of(mesh, style);
         for (const Polyline& line : lines.lines)
@@ -460,8 +421,7 @@ TEST(Creases, AreTheEdgesOfSmallForms) {
                             {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
     for (const auto& [small, edges] :
          {std::pair(octahedron, 12u), {turned(6, {{1, -1}, {1, 1}}), 18u}}) {
-        TriangleMesh mesh = test_meshes::cube(1);
-        test_meshes::append(mesh, test_meshes::moved(small, {3, 0, 0}, 0.03));
+        const TriangleMesh mesh = together(test_meshes::cube(1), moved(small, {3, 0, 0}, 0.03));
         EXPECT_EQ(edges_of(mesh, creases_of(mesh)).size(), 12 + edges);
     }
 }

@@ -17,11 +17,8 @@ using test_meshes::AnalyticMesh;
 /// For S linear in the place, up to borders, and on a lone triangle far smaller than the fit, with
 /// differences within it.
 TEST(CurvatureDerivatives, AreExactOfLinearShapeOperators) {
-    TriangleMesh mesh = test_meshes::plane(20, 0.3);
-    TriangleMesh small;
-    small.positions = {{3, 0, 0}, {3.002, 0, 0}, {3, 0.003, 0}};
-    small.triangles = {{0, 1, 2}};
-    test_meshes::append(mesh, small);
+    const TriangleMesh small = {{{3, 0, 0}, {3.002, 0, 0}, {3, 0.003, 0}}, {{0, 1, 2}}},
+                       mesh = test_meshes::together(test_meshes::plane(20, 0.3), small);
     Field field = precompute(mesh);
     const Eigen::Vector4f c(3, -2, 1, 0.5f);
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {

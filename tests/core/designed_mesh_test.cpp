@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "generators.h"
 #include "laplacian_lines/precompute.h"
 
 namespace {
@@ -14,23 +15,14 @@ using namespace laplacian_lines;
 /// A cylinder with a fillet at its upper lid. Each lid is a fan from one of its vertices.
 TriangleMesh knob(std::uint32_t fan) {
     constexpr std::uint32_t kSides = 60;
-    TriangleMesh mesh;
-    const auto add_circle = [&](double radius, double z) {
-        for (std::uint32_t i = 0; i < kSides; ++i) {
-            const double angle = 2 * M_PI * i / kSides;
-            mesh.positions.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
-        }
-    };
-    add_circle(1, -0.5);
+    std::vector<test_meshes::Ring> rings = {test_meshes::circle(kSides, 1, -0.5)};
     for (int i = 0; i <= 6; ++i)
-        add_circle(0.9 + 0.1 * std::cos(M_PI / 12 * i), 0.4 + 0.1 * std::sin(M_PI / 12 * i));
+        rings.push_back(test_meshes::circle(kSides, 0.9 + 0.1 * std::cos(M_PI / 12 * i),
+                                            0.4 + 0.1 * std::sin(M_PI / 12 * i)));
+    TriangleMesh mesh = test_meshes::walls(rings);
     const auto last = std::uint32_t(mesh.positions.size()) - kSides;
     for (std::uint32_t i = 0; i < kSides; ++i) {
         const std::uint32_t next = (i + 1) % kSides;
-        for (std::uint32_t ring = 0; ring < last; ring += kSides) {
-            mesh.triangles.push_back({ring + i, ring + next, ring + kSides + next});
-            mesh.triangles.push_back({ring + i, ring + kSides + next, ring + kSides + i});
-        }
         if (i == fan || next == fan) continue;
         mesh.triangles.push_back({fan, next, i});
         mesh.triangles.push_back({last + fan, last + i, last + next});

@@ -203,9 +203,8 @@ TEST(ThinWalls, SmoothingTakesNoNormalsFromTheOppositeSheet) {
 /// The two sides of a shell: spheres of radius 1 facing out and 0.97 facing in.
 TEST(ThinWalls, LeastSquaresTakeNoNormalsFromTheOppositeSheet) {
     const test_meshes::AnalyticMesh outer = test_meshes::sphere(4);
-    TriangleMesh shell = outer.mesh;
-    test_meshes::append(shell,
-                        test_meshes::moved(test_meshes::inside_out(outer.mesh), {0, 0, 0}, 0.97));
+    const TriangleMesh inner = test_meshes::moved(outer.mesh, {0, 0, 0}, 0.97),
+                       shell = test_meshes::together(outer.mesh, test_meshes::flipped(inner));
     PrecomputeOptions options;
     options.gradient_estimator = GradientEstimator::LeastSquares;
     EXPECT_LT(helpers::shape_error(precompute(shell, options), outer.truth), 0.02);

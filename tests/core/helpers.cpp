@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <functional>
 #include <limits>
 #include <map>
 #include <random>
@@ -215,6 +214,16 @@ std::vector<View> random_views(const TriangleMesh& mesh, int count) {
     return views;
 }
 
+double length_of(const std::vector<ViewLine>& lines, const Counts& counts) {
+    double length = 0;
+    for (const ViewLine& line : lines)
+        for (std::size_t i = 1; i < line.points.size(); ++i) {
+            const Eigen::Vector3d &a = line.points[i - 1].position, &b = line.points[i].position;
+            if (counts(line, a) && counts(line, b)) length += (b - a).norm();
+        }
+    return length;
+}
+
 double distance_to_lines(const Eigen::Vector3d& p, const LineSet& lines) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Polyline& line : lines.lines)
@@ -244,6 +253,23 @@ std::multiset<Edge> edges_of(const TriangleMesh& mesh, const LineSet& lines) {
         for (std::uint32_t i = line.first + 1; i < line.first + line.count; ++i)
             edges.insert(
                 std::minmax(find(lines.points[i - 1].position), find(lines.points[i].position)));
+    return edges;
+}
+
+std::vector<Edge> horizon_of(const TriangleMesh& mesh, const View& view) {
+    std::map<Edge, std::vector<bool>> sides;
+    for (const Triangle& t : mesh.triangles) {
+        const auto& p = mesh.positions;
+        const Eigen::Vector3d n = (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
+        const bool faces_eye = n.dot(view.eye - view.w * p[t[0]]) >= 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+            sides[std::minmax(a, b)].push_back(faces_eye == (a < b));
+        }
+    }
+    std::vector<Edge> edges;
+    for (const auto& [edge, side] : sides)
+        if (side.size() == 2 && side[0] == side[1]) edges.push_back(edge);
     return edges;
 }
 

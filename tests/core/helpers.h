@@ -3,12 +3,14 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "laplacian_lines/field.h"
 #include "laplacian_lines/line_extractor.h"
+#include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/precompute_options.h"
 #include "registry.h"
 
@@ -70,12 +72,22 @@ float total_length(const laplacian_lines::LineSet& lines);
 std::vector<laplacian_lines::View> random_views(const laplacian_lines::TriangleMesh& mesh,
                                                 int count);
 
+using Counts = std::function<bool(const laplacian_lines::ViewLine&, const Eigen::Vector3d& point)>;
+/// Of segments both of whose ends count.
+double length_of(
+    const std::vector<laplacian_lines::ViewLine>& lines,
+    const Counts& counts = [](const auto&, const auto&) { return true; });
+
 double distance_to_lines(const Eigen::Vector3d& p, const laplacian_lines::LineSet& lines);
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 /// Of a mesh, that lines follow: sorted vertices. @throws std::logic_error if they leave them
 std::multiset<Edge> edges_of(const laplacian_lines::TriangleMesh& mesh,
                              const laplacian_lines::LineSet& lines);
+
+/// Between front and back, however the two triangles of an edge are oriented.
+std::vector<Edge> horizon_of(const laplacian_lines::TriangleMesh& mesh,
+                             const laplacian_lines::View& view);
 
 bool same_lines(const laplacian_lines::LineSet& a, const laplacian_lines::LineSet& b);
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "helpers.h"
@@ -43,24 +42,11 @@ std::multiset<Segment> segments_of(const LineSet& lines) {
     return segments;
 }
 
-/// Between front and back, however the two triangles of an edge are oriented.
-std::multiset<Segment> edges_of_horizon(const TriangleMesh& mesh, const View& view) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<bool>> sides;
-    for (const Triangle& t : mesh.triangles) {
-        const auto& p = mesh.positions;
-        const Eigen::Vector3d n = (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
-        const bool faces_eye = n.dot(view.eye - view.w * p[t[0]]) >= 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t a = t[k], b = t[(k + 1) % 3];
-            sides[std::minmax(a, b)].push_back(faces_eye == (a < b));
-        }
-    }
-    std::multiset<Segment> edges;
-    for (const auto& [edge, side] : sides)
-        if (side.size() == 2 && side[0] == side[1])
-            edges.insert(segment(mesh.positions[edge.first].cast<float>(),
-                                 mesh.positions[edge.second].cast<float>()));
-    return edges;
+std::multiset<Segment> segments_of_horizon(const TriangleMesh& mesh, const View& view) {
+    std::multiset<Segment> segments;
+    for (const auto& [a, b] : helpers::horizon_of(mesh, view))
+        segments.insert(segment(mesh.positions[a].cast<float>(), mesh.positions[b].cast<float>()));
+    return segments;
 }
 
 TEST(Horizon, IsBetweenFrontAndBackWhereTrianglesAreCoarse) {
@@ -70,7 +56,7 @@ TEST(Horizon, IsBetweenFrontAndBackWhereTrianglesAreCoarse) {
         const LineExtractor extractor(mesh, precompute(mesh));
         for (const View& view : helpers::random_views(mesh, 6))
             EXPECT_EQ(segments_of(helpers::extract(extractor, view, outlines())),
-                      edges_of_horizon(mesh, view));
+                      segments_of_horizon(mesh, view));
     }
 }
 
@@ -129,20 +115,11 @@ TEST(Horizon, StaysAtTheEdges) {
 
 /// An L upright, whose inner corner is at (0, 0), with a floor.
 TriangleMesh l_shaped(bool has_lid) {
-    const std::array<std::array<double, 2>, 6> outline = {
-        {{0, 0}, {0, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, 0}}};
-    TriangleMesh mesh;
-    for (const double z : {-1., 1.})
-        for (const auto& [x, y] : outline)
-            mesh.positions.emplace_back(x, y, z);
-    for (std::uint32_t i = 0; i < 6; ++i) {
-        const std::uint32_t next = (i + 1) % 6;
-        mesh.triangles.push_back({i, next, next + 6});
-        mesh.triangles.push_back({i, next + 6, i + 6});
-        if (next < 2) continue;
-        mesh.triangles.push_back({0, next, i});
-        if (has_lid) mesh.triangles.push_back({6, i + 6, next + 6});
-    }
+    TriangleMesh mesh =
+        test_meshes::prism({{0, 0}, {0, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, 0}}, -1, 1);
+    std::vector<Triangle>& all = mesh.triangles;
+    const auto is_of_lid = [&](const Triangle& t) { return !has_lid && t[0] == 6; };
+    all.erase(std::remove_if(all.begin(), all.end(), is_of_lid), all.end());
     return mesh;
 }
 

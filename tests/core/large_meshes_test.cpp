@@ -22,16 +22,6 @@ struct LargeMesh {
     bool refused = false;
 };
 
-/// A million vertices at this many places on a line, all corners of triangles.
-TriangleMesh million_at(unsigned places) {
-    TriangleMesh mesh;
-    for (unsigned v = 0; v < 1000000; ++v)
-        mesh.positions.push_back(Eigen::Vector3d(1, 2, 3) * (v % places));
-    for (std::uint32_t v = 0; v + 2 < mesh.positions.size(); ++v)
-        mesh.triangles.push_back({v, v + 1, v + 2});
-    return mesh;
-}
-
 TriangleMesh tetrahedra(int count) {
     TriangleMesh mesh;
     for (int i = 0; i < count; ++i) {
@@ -57,8 +47,8 @@ const LargeMesh kMeshes[] = {
     {"TenMillionTriangles", [] { return ring(3200, 1600); }},
     {"KernelOfAThousandMeshes", [] { return ring(800, 400); }, 3000},
     {"MillionTrianglesAtOneVertex", [] { return test_meshes::star(1000000); }},
-    {"MillionVerticesAtTwoPoints", [] { return million_at(2); }, 0, true},
-    {"MillionVerticesOnALine", [] { return million_at(1000000); }, 0, true},
+    {"MillionVerticesAtTwoPoints", [] { return test_meshes::on_a_line(1000000, 2); }, 0, true},
+    {"MillionVerticesOnALine", [] { return test_meshes::on_a_line(1000000, 1000000); }, 0, true},
     {"HundredThousandTrianglesOnOneEdge", [] { return test_meshes::book(100000); }},
     {"HundredThousandPieces", [] { return tetrahedra(100000); }},
 };

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -20,8 +19,10 @@ namespace {
 
 using namespace laplacian_lines;
 using Eigen::Vector3d;
+using helpers::length_of;
 using helpers::total_length;
 using test_meshes::moved;
+using test_meshes::together;
 
 const double kPi = std::acos(-1.0);
 const View kAslant = View::orthographic({0.45, -0.68, -0.35});
@@ -45,9 +46,7 @@ struct Scene {
 /// Unit spheres: at the origin, seen from +z, and well behind it, a radius to the right.
 TriangleMesh two_balls() {
     const TriangleMesh ball = test_meshes::sphere(5).mesh;
-    TriangleMesh mesh = ball;
-    test_meshes::append(mesh, moved(ball, {1, 0, -4}));
-    return mesh;
+    return together(ball, moved(ball, {1, 0, -4}));
 }
 
 LineParts contours_of(const TriangleMesh& mesh, const View& view) {
@@ -76,13 +75,8 @@ TriangleMesh far_ball(bool has_crack) {
 
 TEST(LineVisibility, HasNoContoursAlongCracksOfRounding) {
     const auto length = [](bool has_crack) {
-        double sum = 0;
-        for (const ViewLine& line :
-             LineVisibility(far_ball(has_crack))
-                 .visible_lines(kAslant, {}, {helpers::all_contours().shows}))
-            for (std::size_t i = 1; i < line.points.size(); ++i)
-                sum += (line.points[i].position - line.points[i - 1].position).norm();
-        return sum;
+        return length_of(LineVisibility(far_ball(has_crack))
+                             .visible_lines(kAslant, {}, {helpers::all_contours().shows}));
     };
     EXPECT_NEAR(length(true), length(false), 0.01 * length(false));
 }
@@ -101,33 +95,13 @@ TEST(LineVisibility, HasNoBordersWhereTrianglesHaveNoHeight) {
         EXPECT_NE(line.kind, LineKind::Border);
 }
 
-/// Over a polygon, cut into triangles from its first corner.
-TriangleMesh solid_over(const std::vector<Eigen::Vector2d>& corners) {
-    TriangleMesh mesh;
-    const auto n = std::uint32_t(corners.size());
-    for (const double z : {0., 1.})
-        for (const Eigen::Vector2d& p : corners)
-            mesh.positions.push_back({p.x(), p.y(), z});
-    for (std::uint32_t i = 0; i < n; ++i) {
-        const std::uint32_t next = (i + 1) % n;
-        mesh.triangles.insert(mesh.triangles.end(), {{i, next, n + next}, {i, n + next, n + i}});
-        if (i > 0 && next > 0)
-            mesh.triangles.insert(mesh.triangles.end(), {{0, next, i}, {n, n + i, n + next}});
-    }
-    return mesh;
-}
-
 /// A fan of triangles that are lower than the precision, along an edge that is hardly bent.
 TEST(LineVisibility, HasNoSlitsWhereTrianglesHaveNoHeight) {
     const auto length = [](const std::vector<Eigen::Vector2d>& corners) {
         auto shows = helpers::all_contours().shows;
         shows[LineKind::Border] = true;
-        double sum = 0;
-        for (const ViewLine& line :
-             LineVisibility(solid_over(corners)).visible_lines(kAslant, {}, {shows, 0}))
-            for (std::size_t i = 1; i < line.points.size(); ++i)
-                sum += (line.points[i].position - line.points[i - 1].position).norm();
-        return sum;
+        return length_of(
+            LineVisibility(test_meshes::prism(corners)).visible_lines(kAslant, {}, {shows, 0}));
     };
     std::vector<Eigen::Vector2d> square = {{0, 1}, {0, 0}, {1, 0}, {1, 1}}, bent = square;
     for (int i = 1; i < 8; ++i)
@@ -140,15 +114,12 @@ TEST(LineVisibility, HasContoursAllAroundAStepSeenFromAbove) {
     const Scene scene{
         test_meshes::stacked({{1, 1, 0}, {1, 1, 0.5}, {0.5, 0.5, 0.5}, {0.5, 0.5, 1}})};
     const View view = View::orthographic(Vector3d::UnitZ());
-    double length = 0;
-    for (const ViewLine& line :
-         scene.visibility.visible_lines(view, {scene.on_surface(view, LineStyle())}, {}))
-        for (std::size_t i = 1; i < line.points.size(); ++i) {
-            const Vector3d &a = line.points[i - 1].position, &b = line.points[i].position;
-            if (line.kind == LineKind::Contour && std::min(a.z(), b.z()) > 0.99)
-                length += (b - a).norm();
-        }
-    EXPECT_NEAR(length, 4, 1e-3);
+    const auto lines =
+        scene.visibility.visible_lines(view, {scene.on_surface(view, LineStyle())}, {});
+    const auto is_on_top = [](const ViewLine& line, const Vector3d& p) {
+        return line.kind == LineKind::Contour && p.z() > 0.99;
+    };
+    EXPECT_NEAR(length_of(lines, is_on_top), 4, 1e-3);
 }
 
 bool is_in_front(const LineSet& lines, const Polyline& line) {
@@ -310,14 +281,12 @@ TEST(LineVisibility, FarFromTheOrigin) {
 }
 
 TEST(LineVisibility, TellsInsideFromOutside) {
-    TriangleMesh mesh = two_balls();
-    const LineVisibility visibility(mesh);
+    const LineVisibility visibility(two_balls());
     EXPECT_TRUE(visibility.encloses({0, 0, 0}));
     EXPECT_TRUE(visibility.encloses({1.9, 0, -4}));
     EXPECT_FALSE(visibility.encloses({0, 0, 1.1}));
     EXPECT_FALSE(visibility.encloses({0.5, 0, -2}));
-    test_meshes::flip_triangles(mesh, 3);
-    EXPECT_TRUE(LineVisibility(mesh).encloses({0, 0, 0}));
+    EXPECT_TRUE(LineVisibility(test_meshes::flipped(two_balls(), 3)).encloses({0, 0, 0}));
 }
 
 // --- what does not change it
@@ -326,7 +295,7 @@ TEST(LineVisibility, DoesNotDependOnWhichSideTrianglesFace) {
     TriangleMesh mesh = test_meshes::torus(144, 72).mesh;
     const LineParts outside = contours_of(mesh, kAslant);
     for (const int every : {1, 3}) {
-        test_meshes::flip_triangles(mesh, every);
+        mesh = test_meshes::flipped(mesh, every);
         const LineParts flipped = contours_of(mesh, kAslant);
         EXPECT_NEAR(total_length(flipped.seen), total_length(outside.seen), 1e-4f);
         EXPECT_NEAR(total_length(flipped.hidden), total_length(outside.hidden), 1e-4f);
@@ -361,10 +330,8 @@ LineSet seen_ring(const LineSet& ring, const View& view,
 /// Within a sphere, a small ball six of its radii before the eye.
 TEST(LineVisibility, WhatIsBeforeAnEyeAmongTheMeshHidesWhatIsBehind) {
     constexpr double kRadius = 0.99, kEye = -0.2;
-    TriangleMesh mesh = test_meshes::sphere(3).mesh, ball = test_meshes::sphere(4).mesh;
-    for (Vector3d& p : ball.positions)
-        p = p / 10 + Vector3d(kEye + 0.6, 0, 0);
-    test_meshes::append(mesh, ball);
+    const TriangleMesh mesh = together(test_meshes::sphere(3).mesh,
+                                       moved(test_meshes::sphere(4).mesh, {kEye + 0.6, 0, 0}, 0.1));
     const LineSet all = ring(kRadius, 1, 80);
     const View view = View::perspective({kEye, 0, 0});
     const float hidden =
@@ -384,17 +351,9 @@ TEST(LineVisibility, ContoursOfOpenSurfacesAreSeenFromInside) {
 
 /// Edges between front and back, in D.
 float contour_edge_length(const TriangleMesh& mesh, const View& view, double d) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> facing;
-    for (const Triangle& t : mesh.triangles) {
-        const Vector3d &a = mesh.positions[t[0]], &b = mesh.positions[t[1]],
-                       &c = mesh.positions[t[2]];
-        const int sign = (b - a).cross(c - a).dot(view.eye - view.w * a) > 0 ? 1 : -1;
-        for (std::size_t k = 0; k < 3; ++k)
-            facing[std::minmax(t[k], t[(k + 1) % 3])] += sign;
-    }
     double length = 0;
-    for (const auto& [edge, sum] : facing)
-        if (sum == 0) length += (mesh.positions[edge.first] - mesh.positions[edge.second]).norm();
+    for (const auto& [a, b] : helpers::horizon_of(mesh, view))
+        length += (mesh.positions[a] - mesh.positions[b]).norm();
     return float(length / d);
 }
 
@@ -468,14 +427,11 @@ TEST(LineVisibility, SeenAndHiddenContoursAreAllThereAre) {
 /// A unit ball from +z, with a small one before its middle or its outline.
 float length_with_small_ball(double radius, double x, double shortest_contour) {
     const TriangleMesh ball = test_meshes::sphere(4).mesh;
-    TriangleMesh mesh = ball, small = ball;
-    for (Vector3d& p : small.positions)
-        p = radius * p + Vector3d(x, 0, 2);
-    test_meshes::append(mesh, small);
     const VisibilityOptions options{helpers::all_contours().shows, 0, false, false,
                                     shortest_contour};
     const auto view = View::orthographic({0, 0, 1});
-    return total_length(LineVisibility(mesh).parts(view, {}, options).seen);
+    const LineVisibility visibility(together(ball, moved(ball, {x, 0, 2}, radius)));
+    return total_length(visibility.parts(view, {}, options).seen);
 }
 
 TEST(LineVisibility, SpecksAreLeftOutWhereNothingMeetsThem) {
@@ -489,9 +445,7 @@ TEST(LineVisibility, SpecksAreLeftOutWhereNothingMeetsThem) {
 /// The last look's creases are kept.
 TEST(LineVisibility, DrawsTheCreasesOfEachLook) {
     const Scene scene{test_meshes::cube(3)};
-    LineStyle style;
-    style.shows = {};
-    style.shows[LineKind::Crease] = true;
+    const LineStyle style = helpers::only(LineKind::Crease);
     const LineSet creases = scene.on_surface(kAslant, style);
     ASSERT_GT(creases.lines.size(), 1u);
     LineSet fewer = creases;
@@ -509,37 +463,19 @@ TEST(LineVisibility, DrawsTheCreasesOfEachLook) {
     EXPECT_EQ(lengths[0], lengths[2]);
 }
 
-/// A square plate with a tower of 1 x 1 x 1 in its middle, which is wider at its top.
-TriangleMesh tower(double overhang) {
-    TriangleMesh mesh;
-    const std::vector<std::pair<double, double>> rings = {
-        {2, 0}, {0.5, 0}, {0.5 + overhang, 1}, {0, 1}};  // half a side, height
-    for (const auto& [half, z] : rings)
-        for (const Eigen::Vector2d& corner :
-             std::vector<Eigen::Vector2d>{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
-            mesh.positions.push_back({half * corner.x(), half * corner.y(), z});
-    for (std::uint32_t ring = 0; ring < 12; ring += 4)
-        for (std::uint32_t i = 0; i < 4; ++i) {
-            const std::uint32_t a = ring + i, b = ring + (i + 1) % 4;
-            mesh.triangles.push_back({a, b, b + 4});
-            if (ring < 8) mesh.triangles.push_back({a, b + 4, a + 4});
-        }
-    return mesh;
-}
-
-/// Length of the lines at the tower's foot, seen from above.
-float seen_foot(double overhang) {
-    const Scene scene{tower(overhang)};
+/// Of a tower of 1 x 1 x 1, wider at its top, in the middle of a plate: the length of the lines at
+/// its foot, seen from above.
+double seen_foot(double overhang) {
+    const double top = 0.5 + overhang;
+    const Scene scene{test_meshes::stacked({{2, 2, -1}, {2, 2, 0}, {0.5, 0.5, 0}, {top, top, 1}})};
     const auto view = View::orthographic({0, 0, 1});
     LineStyle style = helpers::all_contours();
     style.shows[LineKind::Crease] = true;
-    float length = 0;
-    for (const ViewLine& line :
-         scene.visibility.visible_lines(view, {scene.on_surface(view, style)}, {style.shows}))
-        for (std::size_t i = 1; i < line.points.size(); ++i)
-            if (line.points[i].position.z() < 0.5 && line.points[i - 1].position.z() < 0.5)
-                length += float((line.points[i].position - line.points[i - 1].position).norm());
-    return length;
+    return length_of(
+        scene.visibility.visible_lines(view, {scene.on_surface(view, style)}, {style.shows}),
+        [](const ViewLine&, const Vector3d& p) {
+            return p.z() < 0.5 && p.head<2>().cwiseAbs().maxCoeff() < 1;
+        });
 }
 
 TEST(LineVisibility, FeetOfWallsAreSeenBesideTheWallsUnevenness) {

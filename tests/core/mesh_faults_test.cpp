@@ -6,6 +6,7 @@
 #include <map>
 
 #include "helpers.h"
+#include "laplacian_lines/line_mixture.h"
 #include "laplacian_lines/mesh_faults.h"
 #include "laplacian_lines/precompute.h"
 #include "registry.h"
@@ -36,50 +37,42 @@ void expect_same_bits(const TriangleMesh& mesh, const TriangleMesh& other) {
     const View view = View::orthographic({1, 2, 3});
     const LineSet lines = helpers::extract(LineExtractor(mesh, field), view, {}),
                   others = helpers::extract(LineExtractor(other, turned), view, {});
-    ASSERT_EQ(lines.points.size(), others.points.size());
-    for (std::size_t i = 0; i < lines.points.size(); ++i)
-        EXPECT_EQ(lines.points[i].position, others.points[i].position);
+    EXPECT_TRUE(helpers::same_lines(lines, others));
 }
 
 TEST(Orientation, ClosedBodiesAreReadTheRightWayRound) {
     for (const char* name : {"torus", "rounded_cube"})
         for (const int every : {1, 3}) {
-            TriangleMesh turned = mesh_named(name).mesh;
-            flip_triangles(turned, every);
+            const TriangleMesh turned = flipped(mesh_named(name).mesh, every);
             expect_same_bits(mesh_named(name).mesh, turned);
             EXPECT_GT(precompute(turned).report.flipped_triangles, 0u);
         }
 }
 
 TEST(Orientation, CutsThatDisagreeAreClosed) {
-    TriangleMesh soup = cut_apart(mesh_named("torus").mesh);
-    const Field field = precompute(soup);
-    flip_triangles(soup, 3);
-    EXPECT_EQ(precompute(soup).normals, field.normals);
+    const TriangleMesh soup = cut_apart(mesh_named("torus").mesh);
+    EXPECT_EQ(precompute(flipped(soup, 3)).normals, precompute(soup).normals);
 }
 
 /// A shell with a ball in its cavity.
 TEST(Orientation, CavitiesStay) {
-    TriangleMesh mesh = inside_out(moved(icosphere(3), {1, 2, 3}, 0.8));
-    append(mesh, moved(icosphere(3), {1, 2, 3}));
-    append(mesh, moved(icosphere(3), {1, 2, 3}, 0.4));
+    const auto ball = [](double radius) { return moved(icosphere(3), {1, 2, 3}, radius); };
+    TriangleMesh mesh = together(together(flipped(ball(0.8)), ball(1)), ball(0.4));
     for (const bool is_inverted : {false, true}) {
-        if (is_inverted) mesh = inside_out(mesh);
+        if (is_inverted) mesh = flipped(mesh);
         const Field field = precompute(mesh);
         EXPECT_EQ(field.report.flipped_triangles, is_inverted ? mesh.triangles.size() : 0);
         EXPECT_GT(facing(field, mesh, {1, 2, 3}, 0.9, 1.1), 0.99);
         EXPECT_LT(facing(field, mesh, {1, 2, 3}, 0.7, 0.9), -0.99);
         EXPECT_GT(facing(field, mesh, {1, 2, 3}, 0, 0.5), 0.99);
     }
-    TriangleMesh beside = inside_out(moved(icosphere(3), {4, 2, 3}));
-    append(beside, mesh);
+    const TriangleMesh beside = together(flipped(moved(icosphere(3), {4, 2, 3})), mesh);
     EXPECT_GT(facing(precompute(beside), beside, {4, 2, 3}, 0, 1.1), 0.99);
 }
 
 TEST(Orientation, IsThatOfMostTriangles) {
-    const TriangleMesh cavity = inside_out(icosphere(2));
-    TriangleMesh mesh = cavity;
-    append(mesh, moved(icosphere(2), {0, 0, 0}, 2));
+    const TriangleMesh cavity = flipped(icosphere(2)),
+                       mesh = together(cavity, moved(icosphere(2), {0, 0, 0}, 2));
     for (const std::size_t first : {std::size_t(0), cavity.triangles.size()}) {
         TriangleMesh other = mesh;
         std::swap(other.triangles[first][1], other.triangles[first][2]);
@@ -92,12 +85,10 @@ TEST(Orientation, IsThatOfMostTriangles) {
 
 /// Two cubes with as many vertices in common as are at one place.
 TriangleMesh touching_cubes(const Eigen::Vector3d& by, double size) {
-    TriangleMesh mesh = cube(1);
-    const std::size_t own = mesh.positions.size();
-    append(mesh, inside_out(moved(cube(1), by, size)));
+    TriangleMesh mesh = together(cube(1), flipped(moved(cube(1), by, size)));
     for (Triangle& t : mesh.triangles)
         for (std::uint32_t& v : t)
-            for (std::uint32_t other = 0; other < own; ++other)
+            for (std::uint32_t other = 0; other < 8; ++other)
                 if (mesh.positions[v] == mesh.positions[other]) v = other;
     return mesh;
 }
@@ -110,10 +101,8 @@ TEST(Orientation, BodiesThatTouchAreBodiesOfTheirOwn) {
 
 TEST(Orientation, OpenSurfacesKeepTheSideOfMostOfTheirArea) {
     const TriangleMesh& hills = mesh_named("hills").mesh;
-    TriangleMesh few = hills;
-    flip_triangles(few, 3);
-    EXPECT_EQ(precompute(few).normals, precompute(hills).normals);
-    EXPECT_EQ(precompute(inside_out(hills)).report.flipped_triangles, 0u);
+    EXPECT_EQ(precompute(flipped(hills, 3)).normals, precompute(hills).normals);
+    EXPECT_EQ(precompute(flipped(hills)).report.flipped_triangles, 0u);
 }
 
 /// Folds back by a thousandth of the diagonal of a square that is cut in four.
@@ -123,8 +112,7 @@ TEST(Orientation, FoldedNeedlesTurnTheirBackForNoForm) {
     mesh.triangles = {{0, 1, 2}, {0, 2, 4}, {0, 4, 3}, {4, 2, 3}};
     const Field field = precompute(mesh);
     LineStyle style;
-    style.shows = LineKindSet();
-    style.shows[LineKind::Contour] = style.shows[LineKind::Crease] = true;
+    style.shows = only_kinds({LineKind::Contour, LineKind::Crease});
     const LineExtractor extractor(mesh, field);
     for (const Eigen::Vector3d& eye : {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(1, 2, 3)})
         EXPECT_TRUE(helpers::extract(extractor, View::orthographic(eye), style).lines.empty());
@@ -132,11 +120,6 @@ TEST(Orientation, FoldedNeedlesTurnTheirBackForNoForm) {
 
 Faults faults_found(const TriangleMesh& mesh, const PrecomputeOptions& options = {}) {
     return faults_of(precompute(mesh, options).report);
-}
-
-TriangleMesh flipped(TriangleMesh mesh, int every) {
-    flip_triangles(mesh, every);
-    return mesh;
 }
 
 /// Separate triangles, slightly shrunk.
@@ -162,7 +145,7 @@ TEST(MeshFaults, AreThoseThatTestMeshesAreMadeWith) {
 TEST(MeshFaults, OfSurfacesTurnedInsideOut) {
     for (const char* name : {"sphere", "torus", "bumpy_sphere", "ellipsoid", "rounded_cube"}) {
         const TriangleMesh& mesh = mesh_named(name).mesh;
-        EXPECT_EQ(faults_found(flipped(mesh, 1)), Faults{MeshFault::InsideOut}) << name;
+        EXPECT_EQ(faults_found(flipped(mesh)), Faults{MeshFault::InsideOut}) << name;
     }
     // Triangles without area face nowhere.
     TriangleMesh degenerate = flipped(mesh_named("sphere").mesh, 1);
@@ -172,9 +155,9 @@ TEST(MeshFaults, OfSurfacesTurnedInsideOut) {
     TriangleMesh holed = mesh_named("sphere").mesh;
     holed.triangles.resize(holed.triangles.size() * 98 / 100);
     EXPECT_EQ(faults_found(holed), Faults());
-    EXPECT_EQ(faults_found(flipped(holed, 1)), Faults{MeshFault::InsideOut});
+    EXPECT_EQ(faults_found(flipped(holed)), Faults{MeshFault::InsideOut});
     for (const char* name : {"hills", "plane", "half_torus"})
-        EXPECT_EQ(faults_found(flipped(mesh_named(name).mesh, 1)), Faults()) << name;
+        EXPECT_EQ(faults_found(flipped(mesh_named(name).mesh)), Faults()) << name;
 }
 
 TEST(MeshFaults, OfTrianglesTurnedHereAndThere) {
@@ -199,10 +182,8 @@ TEST(MeshFaults, OfPiecesThatDoNotHangTogether) {
     EXPECT_EQ(faults_found(cut_apart(torus), unwelded), Faults{MeshFault::Torn});
 }
 
-TriangleMesh rounded_to(double step, TriangleMesh mesh) {
-    for (Eigen::Vector3d& p : mesh.positions)
-        p = (step * (p / step).array().round()).matrix();
-    return mesh;
+TriangleMesh rounded_to(double step, const TriangleMesh& mesh) {
+    return mapped(mesh, [=](Eigen::Vector3d& p) { p = step * (p / step).array().round(); });
 }
 
 /// A tenth of the mean edge or more, wherever the mesh is; not the plain sizes of what was made.
@@ -214,10 +195,10 @@ TEST(MeshFaults, OfCoordinatesOfFewDigits) {
     EXPECT_NEAR(report.coordinate_step, 0.12 * edge, 1e-6);
     EXPECT_EQ(faults_of(report), Faults{MeshFault::Quantized});
     EXPECT_EQ(faults_found(rounded_to(0.4 * edge, far)), Faults{MeshFault::Quantized});
-    TriangleMesh floats = rounded_to(0.12 * edge, far);
-    for (Eigen::Vector3d& p : floats.positions)
+    const TriangleMesh floats = mapped(rounded_to(0.12 * edge, far), [](Eigen::Vector3d& p) {
         for (double& x : p)
             x = double(float(x));
+    });
     EXPECT_EQ(faults_found(floats), Faults{MeshFault::Quantized});
     EXPECT_EQ(faults_found(rounded_to(0.1, cube(40))), Faults());
 }

@@ -15,8 +15,9 @@ namespace {
 using namespace laplacian_lines;
 using test_meshes::append;
 using test_meshes::cut_apart;
-using test_meshes::inside_out;
+using test_meshes::flipped;
 using test_meshes::mesh_named;
+using test_meshes::together;
 
 TEST(Cracks, DoNotRunOnFromOneToTheNext) {
     const double crack = 5e-5 * std::sqrt(8);  // of the diagonal of a plane
@@ -100,17 +101,7 @@ TriangleMesh with_seam(const TriangleMesh& mesh, double at) {
     return cut;
 }
 
-TriangleMesh together(TriangleMesh a, const TriangleMesh& b) {
-    append(a, b);
-    return a;
-}
-
-LineStyle borders_only() {
-    LineStyle style;
-    style.shows = LineKindSet();
-    style.shows[LineKind::Border] = true;
-    return style;
-}
+const LineStyle kBorders = helpers::only(LineKind::Border);
 
 /// But for rounding in sums of another order.
 void expect_same_field(const TriangleMesh& whole, const TriangleMesh& cut) {
@@ -139,9 +130,8 @@ void expect_same_lines(const TriangleMesh& whole, const TriangleMesh& cut) {
                       b = helpers::extract(extractor, view, LineStyle());
         EXPECT_NEAR(double(a.lines.size()), double(b.lines.size()), 0.05 * double(a.lines.size()));
         EXPECT_NEAR(helpers::total_length(a) / helpers::total_length(b), 1, 0.02);
-        const LineSet borders = helpers::extract(expected, view, borders_only());
-        EXPECT_EQ(helpers::extract(extractor, view, borders_only()).lines.size(),
-                  borders.lines.size());
+        const LineSet borders = helpers::extract(expected, view, kBorders);
+        EXPECT_EQ(helpers::extract(extractor, view, kBorders).lines.size(), borders.lines.size());
     }
 }
 
@@ -171,8 +161,8 @@ TEST_P(CutMesh, StaysCutIfAskedTo) {
     EXPECT_EQ(field.report.welded_vertices, 0u);
     const LineExtractor extractor(cut, field), of_whole(whole(), precompute(whole()));
     const View view = View::orthographic({1, 2, 3});
-    EXPECT_GT(helpers::total_length(helpers::extract(extractor, view, borders_only())),
-              helpers::total_length(helpers::extract(of_whole, view, borders_only())) + 0.5);
+    EXPECT_GT(helpers::total_length(helpers::extract(extractor, view, kBorders)),
+              helpers::total_length(helpers::extract(of_whole, view, kBorders)) + 0.5);
 }
 
 std::size_t welded(const TriangleMesh& mesh) {
@@ -181,7 +171,7 @@ std::size_t welded(const TriangleMesh& mesh) {
 
 TEST(Stitching, LeavesWhatMerelyTouches) {
     const TriangleMesh sphere = mesh_named("bumpy_sphere").mesh, cube = test_meshes::cube(4);
-    EXPECT_EQ(welded(together(sphere, inside_out(sphere))), 0u);
+    EXPECT_EQ(welded(together(sphere, flipped(sphere))), 0u);
     EXPECT_EQ(welded(together(cube, test_meshes::moved(cube, {2, 0, 0}))), 0u);
     TriangleMesh book;  // three pages, each with vertices of its own at the spine
     for (double angle : {0., 2., 4.}) {
@@ -208,7 +198,7 @@ TEST(Stitching, TakesDoubledMeshesOnce) {
         one.triangles.insert(one.triangles.end(), copy.triangles.begin(), copy.triangles.end());
         return one;
     };
-    for (const TriangleMesh& copy : {mesh, inside_out(mesh)}) {
+    for (const TriangleMesh& copy : {mesh, flipped(mesh)}) {
         const TriangleMesh twice = doubled(mesh, copy);
         for (const TriangleMesh& written : {twice, cut_apart(twice)}) {
             EXPECT_EQ(conforming_triangles(written).size(), mesh.triangles.size());
@@ -216,7 +206,7 @@ TEST(Stitching, TakesDoubledMeshesOnce) {
         }
     }
     const TriangleMesh soup = cut_apart(mesh);
-    const Field expected = precompute(soup), field = precompute(doubled(soup, inside_out(soup)));
+    const Field expected = precompute(soup), field = precompute(doubled(soup, flipped(soup)));
     for (std::size_t v = 0; v < soup.positions.size(); ++v)
         EXPECT_LT((field.normals[v] - expected.normals[v]).norm(), 1e-5f) << v;
     const TriangleMesh open = mesh_named("half_torus").mesh;

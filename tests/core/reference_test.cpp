@@ -40,10 +40,9 @@ TEST(ReferenceField, HasTheSameSmoothedNormals) {
 
 /// Two parallel sheets, bent so that Δn is not zero on them.
 TriangleMesh bent_wall() {
-    TriangleMesh mesh = test_meshes::parallel_sheets(48, 0.12);
-    for (Eigen::Vector3d& p : mesh.positions)
+    return test_meshes::mapped(test_meshes::parallel_sheets(48, 0.12), [](Eigen::Vector3d& p) {
         p.z() += 0.2 * std::sin(2 * p.x() + p.y());
-    return mesh;
+    });
 }
 
 /// Of small kernels, which are summed directly, and of large ones, by a grid.

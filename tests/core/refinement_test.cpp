@@ -15,6 +15,7 @@
 namespace {
 
 using namespace laplacian_lines;
+using test_meshes::moved;
 using test_meshes::subdivided;
 
 /// The farthest vertex from a sphere of radius 1, and the farthest middle of a side.
@@ -40,18 +41,16 @@ TEST(Refinement, PutsNewVerticesOnTheSmoothSurface) {
 TEST(Refinement, IsTheSameFarFromTheOrigin) {
     for (const double scale :
          {40, 60, 90, 120}) {  // edges of 1.6 to 5, where floats have steps of .7
-        TriangleMesh mesh = test_meshes::bumpy_sphere(5).mesh;
-        for (Eigen::Vector3d& p : mesh.positions)
-            p *= scale;
-        const TriangleMesh far_off = refined(test_meshes::moved(mesh, {4e5, 5.8e6, 30}));
+        const TriangleMesh mesh = moved(test_meshes::bumpy_sphere(5).mesh, {0, 0, 0}, scale);
+        const TriangleMesh far_off = refined(moved(mesh, {4e5, 5.8e6, 30}));
         EXPECT_EQ(far_off.triangles.size(), refined(mesh).triangles.size()) << scale;
     }
 }
 
 TEST(Refinement, LeavesWhatNeedsNone) {
-    TriangleMesh rounded = test_meshes::icosphere(3), broken = rounded;
-    for (Eigen::Vector3d& p : rounded.positions)
-        p = (p * 20).array().round();
+    TriangleMesh broken = test_meshes::icosphere(3);
+    const TriangleMesh rounded =
+        test_meshes::mapped(broken, [](Eigen::Vector3d& p) { p = (p * 20).array().round(); });
     broken.triangles.back()[0] = 1u << 30;
     // one triangle of two is halved at their common side
     TriangleMesh with_t_junction = test_meshes::cut_apart(test_meshes::icosphere(3));
@@ -72,9 +71,7 @@ TEST(Refinement, LeavesWhatNeedsNone) {
 
 TEST(Refinement, GoesAcrossSeamsHoweverTrianglesAreTurned) {
     const TriangleMesh mesh = test_meshes::bumpy_sphere(4).mesh, finer = refined(mesh);
-    TriangleMesh cut = test_meshes::cut_apart(mesh);
-    test_meshes::flip_triangles(cut, 3);
-    const TriangleMesh finer_cut = refined(cut);
+    const TriangleMesh finer_cut = refined(test_meshes::flipped(test_meshes::cut_apart(mesh), 3));
     ASSERT_EQ(finer_cut.triangles.size(), finer.triangles.size());
     double farthest = 0;
     for (std::size_t t = 0; t < finer.triangles.size(); ++t) {
@@ -127,9 +124,8 @@ TEST(Refinement, LeavesNoiseToBeSmoothed) {
 
 TEST(Refinement, StaysFlatAtSharpEdges) {
     // a sphere that stands on a disc
-    TriangleMesh mesh = test_meshes::icosphere(4);
-    for (Eigen::Vector3d& p : mesh.positions)
-        p.z() = std::max(p.z(), -0.5);
+    const TriangleMesh mesh = test_meshes::mapped(
+        test_meshes::icosphere(4), [](Eigen::Vector3d& p) { p.z() = std::max(p.z(), -0.5); });
     const TriangleMesh finer = refined(mesh);
     ASSERT_GT(finer.triangles.size(), mesh.triangles.size());
     for (const Eigen::Vector3d& p : finer.positions)
@@ -204,11 +200,9 @@ TriangleMesh shuffled(const TriangleMesh& mesh) {
 }
 
 TEST(Subdivisions, AreUndone) {
-    TriangleMesh two = scan(), flipped = scan();
-    test_meshes::append(two, test_meshes::moved(scan(), {3, 0, 0}));
-    test_meshes::flip_triangles(flipped, 5);
     for (const TriangleMesh& mesh :
-         {two, flipped, test_meshes::moved(scan(), {20, -30, 0}),
+         {test_meshes::together(scan(), moved(scan(), {3, 0, 0})), test_meshes::flipped(scan(), 5),
+          moved(scan(), {20, -30, 0}),
           test_meshes::with_noise(test_meshes::half_torus(60, 40).mesh, 0.1)})
         for (const int times : {1, 2}) {
             const TriangleMesh cut = rounded_to_floats(subdivided(rounded_to_floats(mesh), times));
@@ -228,12 +222,12 @@ TEST(Subdivisions, AreUndone) {
 
 TEST(Subdivisions, StayWhereNotAllTrianglesAreQuarters) {
     const TriangleMesh cut = subdivided(scan());
-    TriangleMesh moved = cut, open = cut, doubled = cut, other = cut;
-    moved.positions.back() += 1e-3 * Eigen::Vector3d::Ones();
+    TriangleMesh bent = cut, open = cut, doubled = cut;
+    bent.positions.back() += 1e-3 * Eigen::Vector3d::Ones();
     open.triangles.resize(open.triangles.size() - 5);
     doubled.triangles.insert(doubled.triangles.end(), cut.triangles.end() - 4, cut.triangles.end());
-    test_meshes::append(other, test_meshes::icosphere(2));
-    for (const TriangleMesh& mesh : {moved, open, doubled, other})
+    const TriangleMesh other = test_meshes::together(cut, test_meshes::icosphere(2));
+    for (const TriangleMesh& mesh : {bent, open, doubled, other})
         EXPECT_EQ(refined(mesh).triangles, mesh.triangles);
 }
 
@@ -247,12 +241,11 @@ TEST(Subdivisions, StayOnFormsOfFewLargeTriangles) {
 
 /// Each second vertex of a smooth grid is nearly the middle of its neighbours.
 TEST(Subdivisions, AreNotSeenInGridsFarFromTheOrigin) {
-    TriangleMesh terrain = test_meshes::hills(128).mesh;
-    for (Eigen::Vector3d& p : terrain.positions)
-        p = 64 * Eigen::Vector3d(p.x(), p.y(), 0.1 * p.z());
+    const TriangleMesh terrain = test_meshes::mapped(
+        test_meshes::hills(128).mesh,
+        [](Eigen::Vector3d& p) { p = Eigen::Vector3d(64, 64, 6.4).cwiseProduct(p); });
     for (const Eigen::Vector3d& corner : {Eigen::Vector3d(4e5, 5.8e6, 30), {4e6, 8e5, 4.9e6}})
-        EXPECT_GE(refined(test_meshes::moved(terrain, corner)).triangles.size(),
-                  terrain.triangles.size());
+        EXPECT_GE(refined(moved(terrain, corner)).triangles.size(), terrain.triangles.size());
 }
 
 }  // namespace

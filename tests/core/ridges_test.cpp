@@ -215,9 +215,8 @@ TEST(Ridges, FadeBesideContours) {
 
 /// A sharp edge inside, near the rounded one outside.
 TEST(Ridges, StayWhereACreaseIsBehindTheirWall) {
-    TriangleMesh box = rounded_cube();
-    test_meshes::append(
-        box, test_meshes::inside_out(test_meshes::moved(test_meshes::cube(20), {0, 0, 0}, 0.94)));
+    const TriangleMesh inside = test_meshes::moved(test_meshes::cube(20), {0, 0, 0}, 0.94),
+                       box = test_meshes::together(rounded_cube(), test_meshes::flipped(inside));
     const LineExtractor extractor(box, precompute(box));
     LineStyle style = only_ridges();
     const auto clear_ridge = [&] {
@@ -269,7 +268,7 @@ TEST(Valleys, FollowTheBottomsOfGrooves) {
 
 TEST(Valleys, HaveTheRidgesOfTheOtherSide) {
     for (const TriangleMesh& mesh : {wide_groove(), test_meshes::hills(80).mesh}) {
-        const TriangleMesh other = test_meshes::inside_out(mesh);
+        const TriangleMesh other = test_meshes::flipped(mesh);
         const LineSet valleys = crests_from_above(mesh, LineKind::Valley),
                       ridges = crests_from_above(other, LineKind::Ridge);
         ASSERT_FALSE(ridges.lines.empty());

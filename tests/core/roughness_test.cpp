@@ -88,15 +88,13 @@ TriangleMesh steps() {
 
 /// Steps on a wedge of large triangles.
 TriangleMesh stairs() {
-    TriangleMesh mesh = steps();
-    test_meshes::append(mesh, {{{0, 0, 0},
-                                {kSteps, 0, 0},
-                                {kSteps, 0, 4},
-                                {0, 0, 4},
-                                {kSteps, kSteps, 0},
-                                {kSteps, kSteps, 4}},
-                               {{{0, 1, 2}}, {{0, 2, 3}}, {{1, 4, 5}}, {{1, 5, 2}}}});
-    return mesh;
+    return test_meshes::together(steps(), {{{0, 0, 0},
+                                            {kSteps, 0, 0},
+                                            {kSteps, 0, 4},
+                                            {0, 0, 4},
+                                            {kSteps, kSteps, 0},
+                                            {kSteps, kSteps, 4}},
+                                           {{{0, 1, 2}}, {{0, 2, 3}}, {{1, 4, 5}}, {{1, 5, 2}}}});
 }
 
 TEST(Roughness, IsNoneOfFineStepsOfADesign) {
@@ -106,9 +104,8 @@ TEST(Roughness, IsNoneOfFineStepsOfADesign) {
     EXPECT_EQ(precompute(many).report.roughness, 0);
     TriangleMesh turned;  // in more directions than voxels have
     for (int i = 0; i < 20; ++i) {
-        TriangleMesh part = steps();
-        for (Vector3d& p : part.positions)
-            p = Eigen::AngleAxisd(0.3 * i, Vector3d(1, 2, 3).normalized()) * p;
+        const Eigen::AngleAxisd turn(0.3 * i, Vector3d(1, 2, 3).normalized());
+        const auto part = test_meshes::mapped(steps(), [&](Vector3d& p) { p = turn * p; });
         test_meshes::append(turned, test_meshes::moved(part, {20. * (i % 5), 0, 20. * (i / 5)}));
     }
     EXPECT_EQ(precompute(turned).report.roughness, 0);

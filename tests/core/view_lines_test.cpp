@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "generators.h"
+#include "helpers.h"
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/precompute.h"
 #include "tie_views.h"
@@ -17,6 +17,9 @@ namespace {
 using namespace laplacian_lines;
 using namespace tie_views;
 using Eigen::Vector3d;
+using helpers::length_of;
+using test_meshes::moved;
+using test_meshes::together;
 
 double largest_turn(const ViewLine& line) {
     double turn = 0;
@@ -54,29 +57,25 @@ TEST(ViewLineSmoothing, LeavesEdgesOfTheForm) {
     ExtractionScratch scratch;
     const LineSet lines = extract_on_surface(extractor, view, style, scratch);
     const auto seen = LineVisibility(mesh).visible_lines(view, {lines}, {style.shows, 3});
-    double length = 0;
     for (const ViewLine& line : seen)
-        for (std::size_t i = 0; i < line.points.size(); ++i) {
-            const Eigen::Vector3d& p = line.points[i].position;
+        for (const ViewLinePoint& point : line.points) {
             int on_faces = 0;
-            for (const double x : p)
+            for (const double x : point.position)
                 on_faces += std::abs(std::abs(x) - 1) < 1e-9;
-            EXPECT_GE(on_faces, 2) << p.transpose();
-            if (i > 0) length += (p - line.points[i - 1].position).norm();
+            EXPECT_GE(on_faces, 2) << point.position.transpose();
         }
-    EXPECT_NEAR(length, 9 * 2, 1e-9);  // all edges but three
+    EXPECT_NEAR(length_of(seen), 9 * 2, 1e-9);  // all edges but three
 }
 
 /// A smooth contour has no point where it merely passes behind another.
 TEST(ViewLineSmoothing, DoesNotDependOnWhatPassesInThePicture) {
-    TriangleMesh mesh = test_meshes::sphere(3).mesh, small = test_meshes::sphere(2, 0.4).mesh;
+    const TriangleMesh mesh = test_meshes::sphere(3).mesh,
+                       small = moved(test_meshes::sphere(2, 0.4).mesh, {1, 0, -3});
     const View view = View::orthographic(Eigen::Vector3d::UnitZ());
     const VisibilityOptions options{edge_kinds(), 1.2, false};
     const auto alone = LineVisibility(mesh).visible_lines(view, {}, options);
-    for (Eigen::Vector3d& p : small.positions)
-        p += Eigen::Vector3d(1, 0, -3);  // behind the outline
-    test_meshes::append(mesh, small);
-    const auto both = LineVisibility(mesh).visible_lines(view, {}, options);
+    const auto both =  // the small one behind the outline
+        LineVisibility(together(mesh, small)).visible_lines(view, {}, options);
     ASSERT_EQ(alone.size(), 1u);
     const auto same =
         std::find_if(both.begin(), both.end(), [](const ViewLine& line) { return line.closed; });
@@ -92,34 +91,15 @@ const Vector3d kAside = {0.7, 0.6, 0.45};
 
 TriangleMesh two_boxes(int cells, int other_cells, const Vector3d& offset,
                        const Eigen::AngleAxisd& turn = Eigen::AngleAxisd(0, Vector3d::UnitX())) {
-    TriangleMesh mesh = test_meshes::cube(cells), other = test_meshes::cube(other_cells);
-    for (Vector3d& p : other.positions)
-        p += offset;
-    test_meshes::append(mesh, other);
-    for (Vector3d& p : mesh.positions)
-        p = turn * p;
-    return mesh;
-}
-
-double length_of(const ViewLine& line) {
-    double length = 0;
-    for (std::size_t i = 1; i < line.points.size(); ++i)
-        length += (line.points[i].position - line.points[i - 1].position).norm();
-    return length;
+    return test_meshes::mapped(
+        together(test_meshes::cube(cells), moved(test_meshes::cube(other_cells), offset)),
+        [&](Vector3d& p) { p = turn * p; });
 }
 
 /// Without extracted lines, creases are the cuts.
 std::vector<ViewLine> cuts_of(const TriangleMesh& mesh, const View& view, bool has_hidden = true) {
-    LineKindSet creases;
-    creases[LineKind::Crease] = true;
+    const LineKindSet creases = only_kinds({LineKind::Crease});
     return LineVisibility(mesh).visible_lines(view, {}, {creases, 1.2, has_hidden, false});
-}
-
-double total_length(const std::vector<ViewLine>& lines) {
-    double length = 0;
-    for (const ViewLine& line : lines)
-        length += length_of(line);
-    return length;
 }
 
 /// Of [-1, 1]³ and a copy moved by kAside: a hexagon of sides along the axes.
@@ -129,7 +109,7 @@ TEST(SurfaceCuts, OfTwoBoxesAreAHexagon) {
     for (const View& view : views_from(special_directions(), kAside / 2, 4.5)) {
         SCOPED_TRACE(words(view));
         const auto cuts = cuts_of(two_boxes(1, 1, kAside), view);
-        EXPECT_NEAR(total_length(cuts), kHexagon, 1e-6);
+        EXPECT_NEAR(length_of(cuts), kHexagon, 1e-6);
         for (const ViewLine& cut : cuts)
             for (const ViewLinePoint& p : cut.points) {
                 EXPECT_NEAR(p.position.maxCoeff(), 1, 1e-6);
@@ -144,18 +124,17 @@ TEST(SurfaceCuts, DoNotDependOnTheTriangles) {
     for (int cells = 1; cells <= 7; ++cells)
         for (int other = 1; other <= 7; other += 2) {
             SCOPED_TRACE(testing::Message() << cells << ", " << other);
-            EXPECT_NEAR(total_length(cuts_of(two_boxes(cells, other, kAside), view)), kHexagon,
+            EXPECT_NEAR(length_of(cuts_of(two_boxes(cells, other, kAside), view)), kHexagon, 1e-5);
+            EXPECT_NEAR(length_of(cuts_of(two_boxes(cells, other, kAside, turn), view)), kHexagon,
                         1e-5);
-            EXPECT_NEAR(total_length(cuts_of(two_boxes(cells, other, kAside, turn), view)),
-                        kHexagon, 1e-5);
         }
 }
 
 TEST(SurfaceCuts, AreHiddenAsOtherEdgesAre) {
     const TriangleMesh mesh = two_boxes(2, 3, kAside);
-    EXPECT_NEAR(total_length(cuts_of(mesh, View::orthographic({1, 1.1, 1.2}), false)), 0, 1e-6);
+    EXPECT_NEAR(length_of(cuts_of(mesh, View::orthographic({1, 1.1, 1.2}), false)), 0, 1e-6);
     // Two sides of the second box emerge beside the first.
-    EXPECT_NEAR(total_length(cuts_of(mesh, View::orthographic({-1, 0.2, 0.1}), false)), 1.4 + 1.55,
+    EXPECT_NEAR(length_of(cuts_of(mesh, View::orthographic({-1, 0.2, 0.1}), false)), 1.4 + 1.55,
                 1e-6);
     const auto seen = cuts_of(mesh, View::orthographic({1, -1.1, 1.2}), false);
     ASSERT_FALSE(seen.empty());
@@ -166,10 +145,10 @@ TEST(SurfaceCuts, AreHiddenAsOtherEdgesAre) {
 
 /// As of a ball half sunk into a plate, with vertices all around at its height.
 TEST(SurfaceCuts, RunAlongEdgesInTheOtherSurface) {
-    TriangleMesh mesh = test_meshes::cube(1);
-    test_meshes::append(mesh,
-                        test_meshes::stacked({{0.3, 0.3, 0}, {0.6, 0.6, 1}, {0.4, 0.4, 1.5}}));
-    EXPECT_NEAR(total_length(cuts_of(mesh, View::orthographic({0.31, -0.74, 0.59}))), 4.8, 1e-6);
+    const TriangleMesh mesh =
+        together(test_meshes::cube(1),
+                 test_meshes::stacked({{0.3, 0.3, 0}, {0.6, 0.6, 1}, {0.4, 0.4, 1.5}}));
+    EXPECT_NEAR(length_of(cuts_of(mesh, View::orthographic({0.31, -0.74, 0.59}))), 4.8, 1e-6);
 }
 
 TEST(SurfaceCuts, AreNoneWhereSurfacesTouch) {
@@ -180,7 +159,7 @@ TEST(SurfaceCuts, AreNoneWhereSurfacesTouch) {
                 const Eigen::AngleAxisd turn(angle, Vector3d(3, 1, 2).normalized());
                 const auto cuts = cuts_of(two_boxes(cells, 2, offset, turn),
                                           View::orthographic({0.31, -0.74, 0.59}), false);
-                EXPECT_EQ(total_length(cuts), 0)
+                EXPECT_EQ(length_of(cuts), 0)
                     << offset.transpose() << ", " << cells << ", " << angle;
             }
 }

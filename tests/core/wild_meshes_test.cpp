@@ -7,7 +7,6 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
-#include <limits>
 #include <random>
 
 #include "helpers.h"
@@ -22,39 +21,17 @@ namespace {
 using namespace laplacian_lines;
 using namespace test_meshes;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 TriangleMesh small_torus() {
     return torus(24, 12, 0.2).mesh;
 }
 
 TriangleMesh squeezed(double x, double y) {
-    TriangleMesh mesh = small_torus();
-    for (Eigen::Vector3d& p : mesh.positions)
-        p = {x * p.x(), y * p.y(), p.z()};
-    return mesh;
-}
-
-/// Beside another mesh.
-TriangleMesh with(TriangleMesh mesh, const TriangleMesh& other) {
-    append(mesh, other);
-    return mesh;
+    return mapped(small_torus(), [=](Eigen::Vector3d& p) { p = {x * p.x(), y * p.y(), p.z()}; });
 }
 
 TriangleMesh with_coordinate(std::size_t vertex, int axis, double value) {
     TriangleMesh mesh = small_torus();
     mesh.positions[vertex][axis] = value;
-    return mesh;
-}
-
-/// Vertices on a line, at two points or at one.
-TriangleMesh without_area(int places) {
-    TriangleMesh mesh;
-    for (int i = 0; i < 300; ++i)
-        mesh.positions.push_back(Eigen::Vector3d(1, 2, 3) * (i % places) / 7);
-    for (std::uint32_t i = 0; i + 2 < 300; ++i)
-        mesh.triangles.push_back({i, i + 1, i + 2});
     return mesh;
 }
 
@@ -68,11 +45,9 @@ TriangleMesh one_face_often() {
 
 /// Sharing one vertex, with an unused one.
 TriangleMesh touching_spheres() {
-    TriangleMesh mesh = icosphere(2), other = mesh;
-    for (Eigen::Vector3d& p : other.positions)
-        p = 2 * mesh.positions[0] - p;
-    const auto first = std::uint32_t(mesh.positions.size());
-    append(mesh, other);
+    const TriangleMesh one = icosphere(2);
+    const auto first = std::uint32_t(one.positions.size());
+    TriangleMesh mesh = together(one, moved(one, 2 * one.positions[0], -1));
     for (Triangle& t : mesh.triangles)
         for (std::uint32_t& v : t)
             if (v == first) v = 0;
@@ -109,12 +84,13 @@ const std::vector<WildMesh>& wild_meshes() {
         {"needles", [] { return squeezed(1e-9, 1); }},
         {"slivers", [] { return squeezed(1e-6, 1e-6); }},
         {"flat", [] { return squeezed(0, 1); }},
-        {"collapsed component", [=] { return with(small_torus(), moved(small_torus(), here, 0)); }},
+        {"collapsed component",
+         [=] { return together(small_torus(), moved(small_torus(), here, 0)); }},
         {"crossing tori",
          [] {
-             return with(small_torus(), moved(small_torus(), {0.3, 0, 0}));
+             return together(small_torus(), moved(small_torus(), {0.3, 0, 0}));
          }},
-        {"nested spheres", [=] { return with(icosphere(3), moved(icosphere(3), here, 0.99)); }},
+        {"nested spheres", [=] { return together(icosphere(3), moved(icosphere(3), here, 0.99)); }},
         {"touching spheres", touching_spheres},
         {"scattered tetrahedra", scattered_tetrahedra},
         {"cut apart", [] { return cut_apart(small_torus()); }},
@@ -124,7 +100,7 @@ const std::vector<WildMesh>& wild_meshes() {
         {"one face often", one_face_often},
         {"areas below floats",
          [=] {
-             return with(moved(plane(4), here, 1e-24), moved(plane(4), {0, 0, 1}, 1e-24));
+             return together(moved(plane(4), here, 1e-24), moved(plane(4), {0, 0, 1}, 1e-24));
          }},
         {"far away",
          [] {
@@ -144,9 +120,9 @@ const std::vector<WildMesh>& wild_meshes() {
              return TriangleMesh{small_torus().positions, {}};
          },
          true},
-        {"on a line", [] { return without_area(300); }, true},
-        {"at two points", [] { return without_area(2); }, true},
-        {"at one point", [] { return without_area(1); }, true},
+        {"on a line", [=] { return moved(on_a_line(300, 300), here, 1. / 7); }, true},
+        {"at two points", [] { return on_a_line(300, 2); }, true},
+        {"at one point", [] { return on_a_line(300, 1); }, true},
         {"no such vertex",
          [] {
              return TriangleMesh{{{0, 0, 0}}, {{0, 0, 1u << 31}}};

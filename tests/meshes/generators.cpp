@@ -230,12 +230,10 @@ TriangleMesh cube(int cells) {
 }
 
 TriangleMesh rounded_cube(int cells, double radius) {
-    TriangleMesh mesh = cube(cells);
-    for (Eigen::Vector3d& p : mesh.positions) {
+    return mapped(cube(cells), [=](Eigen::Vector3d& p) {
         const Eigen::Vector3d inner = p.cwiseMax(radius - 1).cwiseMin(1 - radius);
         p = inner + radius * (p - inner).normalized();
-    }
-    return mesh;
+    });
 }
 
 TriangleMesh stacked(const std::vector<Eigen::Vector3d>& rectangles, unsigned diagonals) {
@@ -255,6 +253,44 @@ TriangleMesh stacked(const std::vector<Eigen::Vector3d>& rectangles, unsigned di
     for (std::uint32_t ring = 0; ring < top; ring += 4)
         for (std::uint32_t i = 0; i < 4; ++i)
             add(ring + i, ring + (i + 1) % 4, ring + 4 + (i + 1) % 4, ring + 4 + i);
+    return mesh;
+}
+
+TriangleMesh prism(const std::vector<Eigen::Vector2d>& corners, double low, double high) {
+    TriangleMesh mesh;
+    const auto n = std::uint32_t(corners.size());
+    for (const double z : {low, high})
+        for (const Eigen::Vector2d& p : corners)
+            mesh.positions.push_back({p.x(), p.y(), z});
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const std::uint32_t next = (i + 1) % n;
+        mesh.triangles.insert(mesh.triangles.end(), {{i, next, n + next}, {i, n + next, n + i}});
+        if (i > 0 && next > 0)
+            mesh.triangles.insert(mesh.triangles.end(), {{0, next, i}, {n, n + i, n + next}});
+    }
+    return mesh;
+}
+
+Ring circle(std::uint32_t sides, double radius, double z, double first_angle) {
+    Ring ring;
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const double angle = first_angle + 2 * M_PI * i / sides;
+        ring.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
+    }
+    return ring;
+}
+
+TriangleMesh walls(const std::vector<Ring>& rings) {
+    TriangleMesh mesh;
+    for (const Ring& ring : rings)
+        mesh.positions.insert(mesh.positions.end(), ring.begin(), ring.end());
+    const auto sides = std::uint32_t(rings.front().size());
+    for (std::uint32_t ring = 0; ring + sides < mesh.positions.size(); ring += sides)
+        for (std::uint32_t i = 0; i < sides; ++i) {
+            const std::uint32_t a = ring + i, b = ring + (i + 1) % sides;
+            mesh.triangles.push_back({a, b, b + sides});
+            mesh.triangles.push_back({a, b + sides, a + sides});
+        }
     return mesh;
 }
 
@@ -288,13 +324,7 @@ TriangleMesh fan_of_sheets(int sheets, int cells) {
 }
 
 TriangleMesh parallel_sheets(int cells, double distance) {
-    TriangleMesh mesh = plane(cells), top = mesh;
-    for (Triangle& t : mesh.triangles)
-        std::swap(t[1], t[2]);
-    for (Eigen::Vector3d& p : top.positions)
-        p.z() = distance;
-    append(mesh, top);
-    return mesh;
+    return together(flipped(plane(cells)), moved(plane(cells), {0, 0, distance}));
 }
 
 TriangleMesh star(int triangles) {
@@ -319,6 +349,15 @@ TriangleMesh book(int pages) {
     return mesh;
 }
 
+TriangleMesh on_a_line(std::uint32_t vertices, std::uint32_t places) {
+    TriangleMesh mesh;
+    for (std::uint32_t v = 0; v < vertices; ++v) {
+        mesh.positions.push_back(Eigen::Vector3d(1, 2, 3) * (v % places));
+        if (v > 1) mesh.triangles.push_back({v - 2, v - 1, v});
+    }
+    return mesh;
+}
+
 TriangleMesh cut_apart(const TriangleMesh& mesh) {
     TriangleMesh apart;
     for (const Triangle& t : mesh.triangles) {
@@ -337,13 +376,14 @@ void append(TriangleMesh& mesh, const TriangleMesh& other) {
         mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
-void flip_triangles(TriangleMesh& mesh, int every) {
-    for (std::size_t i = 0; i < mesh.triangles.size(); i += std::size_t(every))
-        std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
+TriangleMesh together(TriangleMesh mesh, const TriangleMesh& other) {
+    append(mesh, other);
+    return mesh;
 }
 
-TriangleMesh inside_out(TriangleMesh mesh) {
-    flip_triangles(mesh, 1);
+TriangleMesh flipped(TriangleMesh mesh, int every) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); i += std::size_t(every))
+        std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
     return mesh;
 }
 
@@ -351,23 +391,16 @@ TriangleMesh cavity(TriangleMesh mesh) {
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& p : mesh.positions)
         box.extend(p);
-    TriangleMesh around = cube(1);
-    for (Eigen::Vector3d& p : around.positions)
-        p = box.center() + 0.51 * box.sizes().cwiseProduct(p);
-    mesh = inside_out(std::move(mesh));
-    append(mesh, around);
-    return mesh;
+    return together(flipped(std::move(mesh)), mapped(cube(1), [&](Eigen::Vector3d& p) {
+                        p = box.center() + 0.51 * box.sizes().cwiseProduct(p);
+                    }));
 }
 
 TriangleMesh moved(TriangleMesh mesh, const Eigen::Vector3d& by, double factor) {
-    for (Eigen::Vector3d& p : mesh.positions)
-        p = factor * p + by;
-    return mesh;
+    return mapped(std::move(mesh), [&](Eigen::Vector3d& p) { p = factor * p + by; });
 }
 
 TriangleMesh with_dirt(const TriangleMesh& mesh, std::vector<std::uint32_t>& clean_vertex) {
-    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
     TriangleMesh dirty;
     dirty.positions = {{kNaN, 0, 0}, {1e5, 2e5, -3e5}};  // the second one has no triangle
     clean_vertex.clear();

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -14,6 +15,9 @@ namespace test_meshes {
 
 using laplacian_lines::Triangle;
 using laplacian_lines::TriangleMesh;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The truth at a point; signs as in the core: outward normal, S = dn (sphere: +1/R), Δn = −2/R² n
 /// on a sphere.
@@ -78,6 +82,12 @@ TriangleMesh rounded_cube(int cells, double radius);
 /// A closed solid of rectangles of these half sides and heights, one on the other, each face cut
 /// along the one diagonal or the other, by bits that repeat after 32 faces.
 TriangleMesh stacked(const std::vector<Eigen::Vector3d>& rectangles, unsigned diagonals = 0);
+/// A closed solid over a polygon, cut into triangles from its first corner.
+TriangleMesh prism(const std::vector<Eigen::Vector2d>& corners, double low = 0, double high = 1);
+
+using Ring = std::vector<Eigen::Vector3d>;
+Ring circle(std::uint32_t sides, double radius, double z, double first_angle = 0);
+TriangleMesh walls(const std::vector<Ring>& rings);  ///< between rings of as many places each
 
 /// Unit radius, width 0.6, one half turn: not orientable.
 TriangleMesh moebius_strip(int columns, int rows);
@@ -88,14 +98,23 @@ TriangleMesh parallel_sheets(int cells, double distance);
 
 TriangleMesh star(int triangles);  ///< around one vertex
 TriangleMesh book(int pages);      ///< triangles on one edge
+/// Triangles of vertices at so many places in turn: without area.
+TriangleMesh on_a_line(std::uint32_t vertices, std::uint32_t places);
 /// Each triangle gets vertices of its own.
 TriangleMesh cut_apart(const TriangleMesh& mesh);
 
 void append(TriangleMesh& mesh, const TriangleMesh& other);
-void flip_triangles(TriangleMesh& mesh, int every);  ///< reverses each `every`-th triangle
-TriangleMesh inside_out(TriangleMesh mesh);
+TriangleMesh together(TriangleMesh mesh, const TriangleMesh& other);
+TriangleMesh flipped(TriangleMesh mesh, int every = 1);  ///< reverses each `every`-th triangle
 /// A box around the mesh, which is turned inside out: the inner wall of a hollow body.
 TriangleMesh cavity(TriangleMesh mesh);
+/// With `change` done to each vertex.
+template <class Change>
+TriangleMesh mapped(TriangleMesh mesh, const Change& change) {
+    for (Eigen::Vector3d& p : mesh.positions)
+        change(p);
+    return mesh;
+}
 TriangleMesh moved(TriangleMesh mesh, const Eigen::Vector3d& by,
                    double factor = 1);  ///< scaled first
 /// Each triangle cut in four at the middles of its sides.
