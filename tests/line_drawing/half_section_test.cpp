@@ -13,6 +13,7 @@ using Eigen::Vector3d;
 using laplacian_lines::TriangleMesh;
 using sheet_helpers::layer_of;
 using sheet_helpers::painter_path;
+using test_meshes::moved;
 
 namespace {
 
@@ -34,12 +35,10 @@ SheetOptions vessel_options() {
     return options;
 }
 
-TriangleMesh turned_aside(TriangleMesh mesh, double degrees) {
+TriangleMesh turned_aside(const TriangleMesh& mesh, double degrees) {
     const Eigen::Matrix3d rotation =
         Eigen::AngleAxisd(degrees * M_PI / 180, Vector3d::UnitX()).toRotationMatrix();
-    for (Vector3d& p : mesh.positions)
-        p = rotation * p;
-    return mesh;
+    return test_meshes::mapped(mesh, [&](Vector3d& p) { p = rotation * p; });
 }
 
 TriangleMesh sherd_of(const TriangleMesh& mesh, double degrees) {
@@ -182,9 +181,8 @@ TEST(HalfSection, HasNoLineFromTheInsideToTheOutside) {
 
 TEST(HalfSection, HasTheAxisOfRevolutionAlsoBesideAHandle) {
     const TriangleMesh jar = small_vessel();
-    TriangleMesh mesh = test_meshes::moved(jar, {1000, 7, -300});
-    test_meshes::append(mesh,
-                        test_meshes::moved(test_meshes::torus(60, 30).mesh, {1100, 107, -300}, 25));
+    const TriangleMesh handle = moved(test_meshes::torus(60, 30).mesh, {1100, 107, -300}, 25),
+                       mesh = test_meshes::together(moved(jar, {1000, 7, -300}), handle);
     const auto axis = [](const TriangleMesh& drawn) {
         return axis_of(sheet_helpers::sheet_of(drawn, vessel_options()).groups.at(0));
     };

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <random>
 
+#include "sheet_helpers.h"
+
 using namespace line_drawing;
 using Eigen::Vector2d;
 using Points = std::vector<Vector2d>;
@@ -36,16 +38,7 @@ double turning(const DrawnLine& line) {
     return sum;
 }
 
-double distance_to(const Points& line, const Vector2d& p) {
-    double least = INFINITY;
-    for (std::size_t i = 1; i < line.size(); ++i) {
-        const Vector2d &a = line[i - 1], span = line[i] - a;
-        const double length = span.squaredNorm();
-        const double t = length > 0 ? std::clamp(span.dot(p - a) / length, 0., 1.) : 0;
-        least = std::min(least, (a + t * span - p).norm());
-    }
-    return least;
-}
+using sheet_helpers::distance_to;
 double distance_to(const DrawnLine& line, const Vector2d& p) {
     return distance_to(positions_of(line), p);
 }

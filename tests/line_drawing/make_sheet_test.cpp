@@ -119,11 +119,8 @@ TEST(MeasuredDrawing, OutlinesOfASphereAreClosedCircles) {
 std::vector<double> lengths_of(const Sheet& sheet) {
     std::vector<double> lengths;
     for (const SheetGroup& view : sheet.groups)
-        for (const SheetLayer& layer : view.layers) {
-            lengths.push_back(0);
-            for (const SheetPath& path : layer.paths)
-                lengths.back() += sheet_helpers::painter_path(path.path).length();
-        }
+        for (const SheetLayer& layer : view.layers)
+            lengths.push_back(sheet_helpers::length_of(layer));
     return lengths;
 }
 
@@ -132,8 +129,7 @@ TEST(MeasuredDrawing, IsThatOfTheWholeSurfaceAcrossCracks) {
     laplacian_lines::TriangleMesh cracked = test_meshes::cut_apart(whole);
     for (std::size_t v = 0; v < cracked.positions.size(); ++v)
         cracked.positions[v].x() += 0.001 * double(v % 5);  // of 173 mm
-    SheetOptions options = sheet_helpers::plain_views("30,20");
-    options.sections = parse_sections("z=0.4");
+    const SheetOptions options = sheet_helpers::with_sections("30,20", "z=0.4");
     const auto expected = lengths_of(sheet_helpers::sheet_of(whole, options)),
                found = lengths_of(sheet_helpers::sheet_of(cracked, options));
     ASSERT_EQ(found.size(), expected.size());

@@ -14,17 +14,10 @@ using sheet_helpers::cube_of100;
 using sheet_helpers::layer_of;
 using sheet_helpers::painter_path;
 using sheet_helpers::sheet_of;
+using sheet_helpers::with_sections;
 using test_meshes::moved;
 
 namespace {
-
-SheetOptions with_sections(const char* views, const char* sections) {
-    SheetOptions options = sheet_helpers::plain_views(*views ? views : "front");
-    if (!*views) options.views.clear();
-    options.sections = parse_sections(sections);
-    options.up = UpAxis::Z;
-    return options;
-}
 
 /// The section alone, at 1:1, without hatching.
 SheetGroup section_of(const TriangleMesh& mesh, const char* section) {

@@ -14,16 +14,16 @@ using sheet_helpers::layer_of;
 using sheet_helpers::length_of;
 using sheet_helpers::painter_path;
 using sheet_helpers::plain_views;
+using sheet_helpers::with_sections;
 using test_meshes::moved;
 
 namespace {
 
 /// 160 mm along x, 40 along y, 80 below the cube's middle.
 TriangleMesh plate() {
-    TriangleMesh mesh = test_meshes::plane(16);
-    for (Vector3d& p : mesh.positions)
-        p = Vector3d(80 * p.x(), 20 * p.y(), -80);
-    return mesh;
+    return test_meshes::mapped(test_meshes::plane(16), [](Vector3d& p) {
+        p = {80 * p.x(), 20 * p.y(), -80};
+    });
 }
 
 /// Each with a field of its own.
@@ -80,8 +80,7 @@ std::pair<int, int> hatching_of(const SheetGroup& section) {
 
 /// Touching cubes have two walls with different hatching.
 TEST(SeveralObjects, EachHasItsOwnWallInSections) {
-    SheetOptions options = plain_views("top");
-    options.sections = parse_sections("z=0.3");
+    SheetOptions options = with_sections("top", "z=0.3");
     const TriangleMesh cube = cube_of100();
     const Sheet sheet = sheet_of_all({cube, moved(cube, {100, 0, 0})}, options);
     EXPECT_EQ(layer_of(sheet.groups[1], "section").paths.size(), 2u);
@@ -97,9 +96,7 @@ TEST(SeveralObjects, EachHasItsOwnWallInSections) {
 }
 
 TEST(SeveralObjects, HaveOtherHatchingThanNeighbours) {
-    SheetOptions options = plain_views("top");
-    options.views.clear();
-    options.sections = parse_sections("z=0.1");
+    const SheetOptions options = with_sections("", "z=0.1");
     const TriangleMesh cube = cube_of100();
     const TriangleMesh right = moved(cube, {100, 0, 0}), above = moved(cube, {0, 0, 150}),
                        apart = moved(cube, {-150, 0, 0});
@@ -112,9 +109,7 @@ TEST(SeveralObjects, HaveOtherHatchingThanNeighbours) {
 
 /// Overlapping cubes are one body with one hatching.
 TEST(SeveralObjects, ThatOverlapHaveOneWallInSections) {
-    SheetOptions options = plain_views("top");
-    options.views.clear();
-    options.sections = parse_sections("z=0.3");
+    const SheetOptions options = with_sections("", "z=0.3");
     const TriangleMesh cube = cube_of100();
     const TriangleMesh other = moved(cube, {50, 20, 0}), inner = moved(cube, {20, 20, 0}, 0.2);
     const SheetGroup merged = sheet_of_all({cube, other, inner}, options).groups[0];
@@ -131,15 +126,10 @@ TEST(SeveralObjects, ThatOverlapHaveOneWallInSections) {
 TEST(SeveralObjects, EachHasItsOwnAreaIfWanted) {
     SheetOptions options = plain_views("top");
     options.area = OutlineArea::Objects;
-    TriangleMesh frame;
-    for (const double half : {80.0, 60.0})
-        for (const auto& [x, y] : {std::pair(1, 1), {-1, 1}, {-1, -1}, {1, -1}})
-            frame.positions.push_back({half * x, half * y, -80});
-    for (std::uint32_t i = 0; i < 4; ++i) {
-        const std::uint32_t next = (i + 1) % 4;
-        frame.triangles.push_back({i, next, i + 4});
-        frame.triangles.push_back({next, next + 4, i + 4});
-    }
+    const auto square = [](double half) {
+        return test_meshes::circle(4, half * std::sqrt(2), -80, M_PI / 4);
+    };
+    const TriangleMesh frame = test_meshes::walls({square(80), square(60)});
     const Sheet sheet = sheet_of_all({moved(cube_of100(), {70, 0, 0}), frame}, options);
     const SheetLayer& layer = layer_of(sheet.groups[0], "area");
     ASSERT_EQ(layer.paths.size(), 2u);

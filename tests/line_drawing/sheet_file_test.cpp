@@ -36,13 +36,7 @@ TEST(Paths, BoundsAndPointsAreThoseOfCurves) {
         for (int i = 0; i <= steps; ++i) {
             const Vector2d p = point_at(i / double(steps), path.pieces[0].end, path.pieces[1]);
             box.extend(p);
-            double least = INFINITY;
-            for (std::size_t k = 1; k < line.size(); ++k) {
-                const Vector2d span = line[k] - line[k - 1];
-                const double t = std::clamp(span.dot(p - line[k - 1]) / span.squaredNorm(), 0., 1.);
-                least = std::min(least, (line[k - 1] + t * span - p).norm());
-            }
-            ASSERT_LT(least, tolerance) << round;
+            ASSERT_LT(sheet_helpers::distance_to(line, p), tolerance) << round;
         }
         EXPECT_LT((box.min() - path.bounds().min()).norm(), 1e-3) << round;
         EXPECT_LT((box.max() - path.bounds().max()).norm(), 1e-3) << round;

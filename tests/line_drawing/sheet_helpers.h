@@ -4,8 +4,10 @@
 #include <QPainterPath>
 #include <QPolygonF>
 #include <QRectF>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 #include "generators.h"
 #include "laplacian_lines/precompute.h"
@@ -54,6 +56,14 @@ inline line_drawing::SheetOptions plain_views(const char* views, const char* pap
     return options;
 }
 
+inline line_drawing::SheetOptions with_sections(const char* views, const char* sections) {
+    line_drawing::SheetOptions options = plain_views(*views ? views : "front");
+    if (!*views) options.views.clear();
+    options.sections = line_drawing::parse_sections(sections);
+    options.up = line_drawing::UpAxis::Z;
+    return options;
+}
+
 inline const line_drawing::SheetLayer& layer_of(const line_drawing::SheetGroup& group,
                                                 const char* key) {
     for (const line_drawing::SheetLayer& layer : group.layers)
@@ -66,6 +76,17 @@ inline double length_of(const line_drawing::SheetLayer& layer) {
     for (const line_drawing::SheetPath& path : layer.paths)
         length += painter_path(path.path).length();
     return length;
+}
+
+inline double distance_to(const std::vector<Eigen::Vector2d>& line, const Eigen::Vector2d& p) {
+    double least = INFINITY;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const Eigen::Vector2d &a = line[i - 1], span = line[i] - a;
+        const double length = span.squaredNorm();
+        const double t = length > 0 ? std::clamp(span.dot(p - a) / length, 0., 1.) : 0;
+        least = std::min(least, (a + t * span - p).norm());
+    }
+    return least;
 }
 
 /// Of a view's lines on the sheet, without pen widths.

@@ -14,12 +14,10 @@ using sheet_helpers::plain_views;
 
 namespace {
 
-/// Of 60 x 40 x 20 mm.
-TriangleMesh box() {
-    TriangleMesh mesh = test_meshes::cube(2);
-    for (Eigen::Vector3d& p : mesh.positions)
-        p = p.cwiseProduct(Eigen::Vector3d(30, 20, 10));
-    return mesh;
+/// Of 60 x 40 x 20 mm if not of other half sides.
+TriangleMesh box(const Eigen::Vector3d& half = {30, 20, 10}) {
+    return test_meshes::mapped(test_meshes::cube(2),
+                               [&](Eigen::Vector3d& p) { p = p.cwiseProduct(half); });
 }
 
 SheetOptions fitting(const char* views, const char* paper = "a4") {
@@ -82,9 +80,7 @@ TEST(SheetLayout, ManyViewsStandInRows) {
 /// A column of upright bars, or a row of lying ones, would be half as large.
 TEST(SheetLayout, ViewsOfNoSideAreBesideTallObjects) {
     for (const bool upright : {true, false}) {
-        TriangleMesh bar = box();
-        for (Eigen::Vector3d& p : bar.positions)
-            p = p.cwiseProduct(upright ? Eigen::Vector3d(1, 1, 8) : Eigen::Vector3d(4, 1, 1));
+        const TriangleMesh bar = upright ? box({30, 20, 80}) : box({120, 20, 10});
         const Sheet sheet = sheet_helpers::sheet_of(bar, fitting("front,30,25"));
         const QRectF front = extent_of(sheet.groups[0]), other = extent_of(sheet.groups[1]);
         EXPECT_EQ(other.left() > front.right(), upright);
@@ -93,23 +89,17 @@ TEST(SheetLayout, ViewsOfNoSideAreBesideTallObjects) {
 }
 
 TEST(SheetLayout, TheOnlySectionIsBelowIfItHasNoPlaceBeside) {
-    TriangleMesh bar = box();
-    for (Eigen::Vector3d& p : bar.positions)
-        p = p.cwiseProduct(Eigen::Vector3d(8, 1, 1));
     SheetOptions options = fitting("front");
     options.sections.resize(1);
     options.scale = 0.56;  // 269 mm of 277, and sections are 22 mm wide
-    const Sheet sheet = sheet_helpers::sheet_of(bar, options);
+    const Sheet sheet = sheet_helpers::sheet_of(box({240, 20, 10}), options);
     EXPECT_GT(extent_of(sheet.groups[1]).top(), extent_of(sheet.groups[0]).bottom());
 }
 
 TEST(SheetLayout, TakesTheLargestUsualScaleThatFits) {
     EXPECT_EQ(sheet_of(fitting("front")).scale, 4);  // 240 mm on lying A4
     EXPECT_EQ(sheet_of(fitting("front", "a5")).scale, 2);
-    TriangleMesh higher = box();
-    for (Eigen::Vector3d& p : higher.positions)
-        p.y() *= 43. / 40;
-    EXPECT_EQ(sheet_helpers::sheet_of(higher, fitting("front")).scale, 4)
+    EXPECT_EQ(sheet_helpers::sheet_of(box({30, 21.5, 10}), fitting("front")).scale, 4)
         << "172 mm of 174, and no name below it";
     for (const char* name : paper_names())
         EXPECT_GT(sheet_of(fitting("front", name)).size.x(), 100) << name;

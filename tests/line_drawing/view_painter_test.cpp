@@ -135,9 +135,7 @@ TEST(ViewPainter, GivesUpAtOnceAndGoesOnLater) {
     const SheetOptions options = plain("front");
     WindowView window = window_of(options.views[0], 3 * bounds_of(mesh).diagonal().norm(), 0);
     window.size = {800, 800};
-    laplacian_lines::TriangleMesh beside = mesh;
-    for (Eigen::Vector3d& p : beside.positions)
-        p.x() += 2 * bounds_of(mesh).sizes().x();
+    const auto beside = test_meshes::moved(mesh, {2 * bounds_of(mesh).sizes().x(), 0, 0});
     const Objects objects = {{mesh}, {beside}};
     ViewPainter painter(objects);
     const PaintedView whole = painted(painter, window, options);

@@ -75,10 +75,8 @@ TEST(ViewStrokes, AreFewerAndLongerThanWhatIsSeen) {
 
 /// A ball before a plate that is far away: the plate's border goes on behind the ball.
 TEST(ViewStrokes, EndWhereTheirLineGoesOnBehindAnother) {
-    const TriangleMesh ball = bumps();
-    TriangleMesh plate = test_meshes::plane(8);
-    for (Vector3d& p : plate.positions)
-        p += Vector3d(1, 0, -10);
+    const TriangleMesh ball = bumps(),
+                       plate = test_meshes::moved(test_meshes::plane(8), {1, 0, -10});
     const Objects objects = {{ball}, {plate}};
     const auto strokes = strokes_of(objects, frame_at({0, 0, 1}, false), {});
     int near = 0, far = 0;
