@@ -92,13 +92,15 @@ TEST(MeshTransform, ItsFieldIsTheOneComputedThere) {
     EXPECT_LT(largest / most, 1e-2);
 }
 
+void write_own_field(CMeshO& mesh) {
+    const Field field = laplacian_lines::precompute(meshlab_host::to_triangle_mesh(mesh));
+    meshlab_host::write_field(mesh, field, {}, meshlab_host::geometry_stamp(mesh));
+}
+
 TEST(WorldLayers, AreMovedWithTheirFields) {
     MeshDocument document;
     CMeshO& mesh = add_layer(document, "sphere", test_meshes::bumpy_sphere(3).mesh);
-    const laplacian_lines::PrecomputeOptions options;
-    meshlab_host::write_field(
-        mesh, laplacian_lines::precompute(meshlab_host::to_triangle_mesh(mesh), options), options,
-        meshlab_host::geometry_stamp(mesh));
+    write_own_field(mesh);
     const RichParameterList list;
     meshlab_host::FilterResults results;
     const auto placed = [&] {
@@ -126,10 +128,7 @@ TEST(FieldSource, ASubdividedMeshIsDrawnWithAFieldOfItsOwn) {
     MeshDocument document;
     CMeshO& mesh =
         add_layer(document, "sphere", test_meshes::subdivided(test_meshes::bumpy_sphere(6).mesh));
-    const laplacian_lines::PrecomputeOptions options;
-    meshlab_host::write_field(
-        mesh, laplacian_lines::precompute(meshlab_host::to_triangle_mesh(mesh), options), options,
-        meshlab_host::geometry_stamp(mesh));
+    write_own_field(mesh);
     const TriangleMesh drawn = meshlab_host::to_drawn_mesh(mesh);
     ASSERT_EQ(drawn.triangles.size(), std::size_t(mesh.fn));
     ASSERT_GT(drawn.positions.size(), std::size_t(mesh.vn));
