@@ -33,7 +33,7 @@ constexpr float kLeastMeasuredAngle = 20;  // degrees
 // edge that continues a strong one may be weak.
 constexpr float kStrong = 0.5f, kWeak = 0.25f;
 
-constexpr std::uint32_t kFewTriangles = 1000;  // of forms whose edges are single ones
+constexpr std::uint32_t kLeastOfScan = 1000;  // triangles; of fewer, single edges may be the form's
 
 // Samples for share_of_triangular_faces().
 constexpr std::uint32_t kMostPlaces = 4000;
@@ -94,11 +94,11 @@ public:
             if (edge.verdict != Verdict::Noise)
                 edge.shown_up_to =
                     edge.verdict == Verdict::Facet ? edge.angle : std::max(kEdgeAngle, edge.angle);
-        const auto is_unused = [&](const CreaseEdge& edge) {
-            return edge.verdict == Verdict::Noise || edge.shown_up_to < kLeastShownAngle;
+        const auto is_used = [&](std::uint32_t i) {
+            return edges[i].shown_up_to >= kLeastShownAngle;
         };
-        edges.erase(std::remove_if(edges.begin(), edges.end(), is_unused), edges.end());
-        return {std::move(edges), is_cad_, !is_cad_ && surface_.triangle_count() >= kFewTriangles};
+        return {kept(edges, is_used), is_cad_,
+                !is_cad_ && surface_.triangle_count() >= kLeastOfScan};
     }
 
 private:

@@ -20,7 +20,7 @@ struct CreaseEdge {
     std::uint32_t side;  ///< of Surface
     std::uint32_t vertices[2];
     Eigen::Vector3f positions[2];
-    Eigen::Vector3f normals[2];  ///< of the triangles; as one sees them from the same side
+    Eigen::Vector3f normals[2];  ///< of the triangles, both on the side of the first one's
     /// The two triangles; kNone for one with a coplanar neighbour.
     std::uint32_t facets[2];
     float angle;  ///< between the normals, degrees
@@ -39,7 +39,7 @@ struct CreaseEdges {
     std::vector<CreaseEdge> edges;
     /// Whether the mesh was designed: FlatFaces::is_cad_mesh(), and no scan that was subdivided.
     bool is_design = false;
-    /// Whether edges are parts of a fold: it was not, and has many triangles.
+    /// Whether it was measured: not designed, and of many triangles, several along each fold.
     bool is_scan = false;
 };
 

@@ -99,6 +99,7 @@ private:
         return sign_ > 0 ? walk_.has_side_between(-kEdgeAngle, -least)
                          : walk_.has_side_between(least, kEdgeAngle);
     }
+    /// Whether the facet ends with this triangle; sets its turn, and whether the walk is over.
     bool ends_facet(Facet& facet) {
         if (walk_.continues_within(least_)) {
             is_over_ = count_ == kMostTriangles;
@@ -141,7 +142,7 @@ public:
     }
 
     float half() const { return half_; }            ///< from the edge to the first facet's centre
-    float curvature() const { return curvature_; }  ///< beyond the first facet; 0: none
+    float curvature() const { return curvature_; }  ///< beyond that, degrees/D; 0: none
     bool is_arc() const { return is_arc_; }         ///< the surface beyond is curved like this
     /// Curvature of a fillet that ends, tangentially, with the first bend; 0: none does.
     float last_curvature() const { return last_curvature_; }
@@ -188,7 +189,7 @@ private:
     }
 
     FacetWalk walk_;
-    const float telling_;
+    const float telling_;  // degrees, from which on a curvature can be measured
     const bool of_three_;  // whether it may be an arc of three facets
     float half_ = 0, curvature_ = 0, last_curvature_ = 0;
     bool is_arc_ = false, is_flat_ = false;

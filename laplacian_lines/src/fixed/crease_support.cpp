@@ -44,6 +44,10 @@ public:
 private:
     bool is_kept(std::uint32_t i) const { return edges_[i].verdict > Verdict::Facet; }
     void drop(std::uint32_t i) { edges_[i].verdict = Verdict::Facet; }
+    /// Whether a kept edge needs others: it is not certain, nor part of a crease that runs out.
+    bool is_undecided(std::uint32_t i) const {
+        return is_kept(i) && !edges_[i].is_certain() && !runs_out_[i];
+    }
 
     /// Those at an end of an edge, itself and dropped ones among them.
     const std::vector<std::uint32_t>& edges_at(std::uint32_t i, int end) const {
@@ -109,7 +113,7 @@ private:
     /// Drops edges with a loose end until there are none.
     void drop_loose() {
         const auto is_loose = [&](std::uint32_t i) {
-            return is_kept(i) && !edges_[i].is_certain() && !is_supported(i);
+            return is_undecided(i) && !(is_held(i, 0) && is_held(i, 1));
         };
         auto open = numbers_where(edges_.size(), is_loose);
         while (!open.empty()) {
@@ -133,19 +137,12 @@ private:
         return is_held || others > 1;
     }
 
-    /// Whether both ends are held, or the edge belongs to a crease that runs out.
-    bool is_supported(std::uint32_t i) const {
-        return runs_out_[i] || (is_held(i, 0) && is_held(i, 1));
-    }
-
     /// Drops connected nets of edges of which less than half is strong.
     void drop_doubtful() {
-        const auto is_undecided = [&](std::uint32_t i) {
-            return is_kept(i) && !edges_[i].is_certain() && !runs_out_[i];
-        };
         DisjointSets nets(edges_.size());
         for (const auto& [vertex, edges] : at_) {
-            const auto first = std::find_if(edges.begin(), edges.end(), is_undecided);
+            const auto first = std::find_if(edges.begin(), edges.end(),
+                                            [&](std::uint32_t i) { return is_undecided(i); });
             for (auto i = first; i != edges.end(); ++i)
                 if (is_undecided(*i)) nets.unite(*first, *i);
         }

@@ -50,8 +50,7 @@ public:
         const float height = length > 0 ? 2 * surface.facet(start).area / length : 0;
         const float farthest = std::max(kLeastReach, kHeights * height) + length / 2;
         const Vector3f middle = (edge.positions[0] + edge.positions[1]) / 2;
-        Vector3f along = edge.positions[1] - edge.positions[0];
-        if (length > 0) along /= length;
+        const Vector3f along = unit(edge.positions[1] - edge.positions[0]);
         const Vector3f inwards = edge.normals[0].cross(along);
         const Vector3f outwards = edge.normals[1].cross(-along);
         const Vector3f away = beyond ? outwards - inwards : inwards - outwards;
@@ -127,7 +126,7 @@ private:
 
 bool is_edge_of_form(const Surface& surface, const CreaseEdge& edge) {
     static const float passable = cosine_of(kPassable / kDegrees);
-    constexpr float anything = -2, whatever = 1e6f;
+    constexpr float anything = -2, whatever = 1e6f;  // no bounds, never too rough
     const EdgeSide here(surface, edge, false, passable, edge.angle);
     if (here.is_too_rough(edge.angle)) return false;
     const EdgeSide there(surface, edge, true, passable, edge.angle);

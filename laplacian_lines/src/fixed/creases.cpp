@@ -19,9 +19,8 @@ namespace {
 
 // Least length of connected creases, in shortest lines: a bad spot of a scan has a few edges.
 constexpr float kShortNet = 3;
-// Least edges per fault of a scan. Where its triangles are as large as the radius of a rounded
-// edge, some of its edges are sharp, in zigzags with gaps: ridges draw these better, and single
-// folds too.
+// Least edges per fault of a scan. Where triangles are as large as the radius of a rounded edge of
+// the form, some of their sides are sharp, in zigzags with gaps: ridges draw these better.
 constexpr std::uint32_t kPiecesOfAFault = 6;
 
 /// The creases that a style draws, joined to lines.
@@ -39,7 +38,7 @@ struct CreaseNet {
     /// Loose ends, and facets with exactly two sides among the edges.
     std::uint32_t faults = 0;
 
-    /// Small holes of designs are, but no few edges of a scan.
+    /// Rims of small holes are, which have no faults, but few edges or ragged ones of a scan not.
     bool is_drawn(float shortest_line, const CreaseEdges& found) const {
         const bool is_ragged = found.is_scan && pieces < kPiecesOfAFault * faults;
         return !is_ragged &&
@@ -104,8 +103,7 @@ private:
         }
     }
 
-    /// Facets at an edge with exactly one other side among the edges. Each is counted once: it is
-    /// forgotten then.
+    /// Facets at an edge with exactly one other side among the edges; none is counted twice.
     std::uint32_t count_facets(const CreaseEdge& edge) {
         std::uint32_t count = 0;
         for (const std::uint32_t facet : edge.facets) {
@@ -137,22 +135,18 @@ enum class EdgeView {
     Horizon,  ///< one of its triangles faces the eye: a contour is drawn there instead
 };
 
-class EdgeFacing {
-public:
-    EdgeFacing(const LocalEye& eye, bool has_contours, bool is_body)
-        : eye_(eye), has_contours_(has_contours), is_body_(is_body) {}
+struct EdgeFacing {
+    const LocalEye eye;
+    const bool has_contours;
+    const bool hides_back;  ///< what faces away is hidden: a body, seen from outside
 
     EdgeView of(const CreaseEdge& edge) const {
-        if (!has_contours_) return EdgeView::Shown;
-        const Eigen::Vector3f l = eye_.towards(edge.positions[0]);
+        if (!has_contours) return EdgeView::Shown;
+        const Eigen::Vector3f l = eye.towards(edge.positions[0]);
         const bool one = dot(edge.normals[0], l) < 0, other = dot(edge.normals[1], l) < 0;
         if (one != other) return EdgeView::Horizon;
-        return one && is_body_ ? EdgeView::Away : EdgeView::Shown;
+        return one && hides_back ? EdgeView::Away : EdgeView::Shown;
     }
-
-private:
-    const LocalEye eye_;
-    const bool has_contours_, is_body_;
 };
 
 /// Appends the parts of a line that are not on the horizon. Those that face away have a slope below
@@ -181,8 +175,8 @@ public:
 
     void append(const ExtractorData& data, FixedLines& all, const LocalEye& eye,
                 const LineStyle& style, LineSet& lines) const override {
-        const EdgeFacing facing(eye, style.shows[LineKind::Contour],
-                                data.is_body && !may_be_within(eye));
+        const EdgeFacing facing{eye, style.shows[LineKind::Contour],
+                                data.is_body && !may_be_within(eye)};
         const auto traced = trace(data, all, style);
         for (const Polyline& line : traced->lines.lines)
             append_parts(*traced, line, facing, lines);

@@ -5,7 +5,6 @@
 // passes triangles in which g turns by more than 45 degrees. Curves that are strong enough are
 // shown, with their weaker continuations.
 #include <algorithm>
-#include <cmath>
 
 #include "fixed/fixed_lines.h"
 #include "fixed/strong_lines.h"
@@ -23,9 +22,10 @@ constexpr float kClear = 0.9f;     // most of the second largest maximum over th
 constexpr float kMostStep = 0.1f;  // radians; a maximum is within .09 of the largest sample
 constexpr float kLeastAgreement = 0.7071f;  // cosine, of 45 degrees, between g at two corners
 constexpr float kLeastLength = 0.02f;       // D, of a curve and of its strong part
-constexpr float kShortestLines = 2;  // also of a curve: noise makes longer zeros of derivatives
-constexpr float kFading = 3;         // a gentle relief is paler than a steep one
+constexpr float kShortestLines = 2;         // of a curve; noise makes longer zeros of derivatives
+constexpr float kFading = 3;  // times the style's: a gentle relief is paler than a steep one
 
+/// C(g, g, g) of g = (x, y).
 float cubic(const Eigen::Vector4f& c, float x, float y) {
     return x * x * (c[0] * x + 3 * c[1] * y) + y * y * (3 * c[2] * x + c[3] * y);
 }

@@ -13,8 +13,8 @@ enum class LineEnd {
     Reflected,  ///< what is before it, mirrored in the end, which stays where it is
 };
 
-/// Passes of binomial smoothing (1-2-1) over `count` values, get(i) each; set(i, value) replaces
-/// one. The first value of closed lines and its copy at the end stay equal.
+/// Passes of binomial smoothing (1-2-1) over `count` values, at least 2, get(i) each;
+/// set(i, value) replaces one. The first value of closed lines and its copy at the end stay equal.
 template <LineEnd end = LineEnd::Reflected, class Get, class Set>
 void smooth_binomially(std::size_t count, bool closed, int passes, Get get, Set set) {
     using Value = std::decay_t<decltype(get(0))>;
@@ -35,7 +35,7 @@ void smooth_binomially(std::size_t count, bool closed, int passes, Get get, Set 
     }
 }
 
-/// Four successive numbers of a point at once, of which setting may leave some.
+/// Four successive numbers of a point, from number `first` on, to be smoothed at once.
 using FourOfPoint = Eigen::Array4f;
 inline FourOfPoint four_of(const LinePoint& point, int first) {
     return Eigen::Map<const FourOfPoint>(reinterpret_cast<const float*>(&point) + first);

@@ -2,8 +2,6 @@
 #include "fixed/crease_edges.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 
 #include "system/three_floats.h"
 
@@ -12,8 +10,9 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kNotch = 2;  // how much more the other diagonal of an edge of the form bends
+constexpr float kNotch = 2;  // least factor by which the notch in an edge of the form bends more
 
+/// Of an edge between triangles of these normals: degrees times its length, 0 at a border.
 float bend(const Vector3f& a, const Vector3f& b, float length) {
     return b.isZero(0) ? 0 : angle_between(a, b) * length;
 }
@@ -24,22 +23,20 @@ struct Quad {
     Vector3f upper, lower;  // normals of the triangles, oriented like the first
     Vector3f around[4];     // normals beyond qr, rp, ps, sq; zero: none
 
-    bool has_coplanar_neighbour(const Vector3f& normal, const Vector3f& beyond) const {
-        return !beyond.isZero(0) && angle_between(normal, beyond) < kFlat;
-    }
     /// Whether both triangles are parts of larger flat faces, which the other diagonal would cut.
     bool splits_faces() const {
-        return (has_coplanar_neighbour(upper, around[0]) ||
-                has_coplanar_neighbour(upper, around[1])) &&
-               (has_coplanar_neighbour(lower, around[2]) ||
-                has_coplanar_neighbour(lower, around[3]));
+        const auto is_flat = [](const Vector3f& normal, const Vector3f& beyond) {
+            return !beyond.isZero(0) && angle_between(normal, beyond) < kFlat;
+        };
+        return (is_flat(upper, around[0]) || is_flat(upper, around[1])) &&
+               (is_flat(lower, around[2]) || is_flat(lower, around[3]));
     }
 };
 
 Vector3f normal_of(const Vector3f& a, const Vector3f& b, const Vector3f& c) {
     const Vector3f area = (b - a).cross(c - a);
     const float most = area.cwiseAbs().maxCoeff();
-    return most > 0 ? unit(area / most) : area;
+    return most > 0 ? unit(area / most) : area;  // squares of small areas would be 0
 }
 
 /// Zero at borders.

@@ -45,7 +45,7 @@ public:
     /// Lines end at nodes where other than two pieces meet. They have the direction of their first
     /// piece; closed ones come last.
     std::vector<Line> lines() const;
-    /// By line, one of the nodes of all that are connected with it, the same for these.
+    /// By line, the number of its net: a node of it, the same for all lines that are connected.
     std::vector<std::uint32_t> nets(const std::vector<Line>& lines) const;
 
 private:

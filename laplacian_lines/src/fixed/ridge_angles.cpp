@@ -32,20 +32,16 @@ struct Scale {
     float share;  ///< of the turn
 };
 constexpr Scale kScales[] = {{0.02f, 1}, {0.01f, 0.25f}};
-constexpr float kReach = 0.04f;  // of a section, to each side
 
 // In D.
+constexpr float kReach = 0.04f;        // of a section, to each side
 constexpr float kStep = 0.003f;        // between the sections of a line
 constexpr float kMeanReach = 0.0075f;  // along the line, of the mean of sections
+constexpr float kGrooveReach = 0.01f;  // of a groove, to each side
 
-// Of grooves.
-constexpr float kGrooveReach = 0.01f;  // to each side, D
-constexpr float kGrooveShare = 0.5f;   // of the turn
-
-// Weight of the difference of the sides against their sum.
-constexpr float kSkew = 1.5f;
-// Least clear share of the turn for all of it to count.
-constexpr float kClear = 0.3f;
+constexpr float kGrooveShare = 0.5f;  // of the turns of a groove that counts
+constexpr float kSkew = 1.5f;         // weight of the difference of the sides against their sum
+constexpr float kClear = 0.3f;        // least clear share of the turn for all of it to count
 
 /// The part of the turn `all` that is an edge's, where `a` and `b` are clear on the two sides.
 float clear_angle(float a, float b, float all) {
@@ -111,12 +107,12 @@ public:
 
     void measure(const Surface& surface, Crest crest) {
         measure_arc_lengths();
-        choose_samples();
-        const std::size_t n = samples_.size();
+        choose_sections();
+        const std::size_t n = sections_.size();
         turns_.resize(n);
         SectionProfile profile;
         for (std::size_t s = 0; s < n; ++s) {
-            profile.measure(surface, section(samples_[s]), crest.sign, kReach);
+            profile.measure(surface, section(sections_[s]), crest.sign, kReach);
             turns_[s] = Turns(profile, crest);
         }
         angles_.resize(n);
@@ -124,13 +120,13 @@ public:
             angles_[s] = mean_turns(s).edge_angle();
     }
 
-    /// Linear between the samples.
+    /// Linear between the sections.
     void write(LinePoint* points) const {
         std::size_t s = 0;
         for (std::uint32_t i = 0; i < count_; ++i) {
-            while (s + 2 < samples_.size() && samples_[s + 1] < i)
+            while (s + 2 < sections_.size() && sections_[s + 1] < i)
                 ++s;
-            const float begin = arc_lengths_[samples_[s]], end = arc_lengths_[samples_[s + 1]];
+            const float begin = arc_lengths_[sections_[s]], end = arc_lengths_[sections_[s + 1]];
             const float t = end > begin ? (arc_lengths_[i] - begin) / (end - begin) : 0;
             points[i].gradient = (1 - t) * angles_[s] + t * angles_[s + 1];
         }
@@ -145,11 +141,11 @@ private:
     }
 
     /// Both ends are among them.
-    void choose_samples() {
-        samples_.assign(1, 0);
+    void choose_sections() {
+        sections_.assign(1, 0);
         for (std::uint32_t i = 1; i + 1 < count_; ++i)
-            if (arc_lengths_[i] - arc_lengths_[samples_.back()] >= kStep) samples_.push_back(i);
-        samples_.push_back(count_ - 1);
+            if (arc_lengths_[i] - arc_lengths_[sections_.back()] >= kStep) sections_.push_back(i);
+        sections_.push_back(count_ - 1);
     }
 
     /// Across the line, to its left.
@@ -165,13 +161,13 @@ private:
 
     Turns mean_turns(std::size_t s) const {
         const auto is_near = [&](std::size_t other) {
-            return std::abs(arc_lengths_[samples_[other]] - arc_lengths_[samples_[s]]) <=
+            return std::abs(arc_lengths_[sections_[other]] - arc_lengths_[sections_[s]]) <=
                    kMeanReach;
         };
         std::size_t begin = s, end = s + 1;
         while (begin > 0 && is_near(begin - 1))
             --begin;
-        while (end < samples_.size() && is_near(end))
+        while (end < sections_.size() && is_near(end))
             ++end;
         Turns mean;
         for (std::size_t other = begin; other < end; ++other)
@@ -181,10 +177,10 @@ private:
 
     const std::uint32_t count_;
     const Sample* const points_;
-    std::vector<float> arc_lengths_;      // lengths from the start of the line to its points, D
-    std::vector<std::uint32_t> samples_;  // points that have a section
-    std::vector<Turns> turns_;
-    std::vector<float> angles_;  // degrees, by sample
+    std::vector<float> arc_lengths_;       // lengths from the start of the line to its points, D
+    std::vector<std::uint32_t> sections_;  // points that have a section
+    std::vector<Turns> turns_;             // by section
+    std::vector<float> angles_;            // degrees, by section
 };
 
 }  // namespace

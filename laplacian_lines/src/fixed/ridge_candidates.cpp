@@ -2,7 +2,6 @@
 #include "fixed/ridge_candidates.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 
 #include "fixed/strong_lines.h"
@@ -11,9 +10,8 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr float kDominance = 2;
-// 1/D; smaller curvatures are those of the whole form.
-constexpr float kLeastCurvature = 4;
+constexpr float kDominance = 2;       // least k₁/|k₂|
+constexpr float kLeastCurvature = 4;  // 1/D; smaller ones are those of the whole form
 
 /// The largest curvature at a vertex.
 struct Bend {
@@ -35,7 +33,7 @@ Bend bend(const VertexRecord& record, const Eigen::Vector3f& laplacian, float si
     // In the tangent plane's basis (u, v): the mean of the diagonal and what differs from it.
     const float mean = (dot(u, su) + dot(v, sv)) / 2;
     const float x = (dot(u, su) - dot(v, sv)) / 2, y = dot(u, sv);
-    // The bits of hypotf(), which is another function from glibc 2.35 on.
+    // From doubles: hypotf() differs between C libraries.
     const float range = float(std::sqrt(double(x) * x + double(y) * y));
     const float k1 = mean + range, k2 = mean - range;
     if (!(k1 >= kLeastCurvature) || !(k1 > kDominance * std::abs(k2))) return {};

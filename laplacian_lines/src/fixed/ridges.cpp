@@ -20,10 +20,11 @@ using Eigen::Vector3f;
 constexpr float kNearCrease = 0.01f;  // D
 constexpr float kAlong = 0.5f;        // least squared cosine of lines that run beside each other
 constexpr float kThrough = 0.5f;      // likewise of the way through a wall and the normal there
-constexpr float kSamePlace = 0.01f;   // squared, of that distance
+constexpr float kSamePlace = 0.01f;   // of kNearCrease²; what is less far below is on this side
 constexpr float kRoundUp = 1.01f;     // of boxes, which only preselect
-constexpr float kFading = 5;          // blunt edges are paler than sharp ones
-constexpr float kClearance = 4;       // a rounded edge has its contour near its crest
+// Times those of the style.
+constexpr float kFading = 5;     // blunt edges are paler than sharp ones
+constexpr float kClearance = 4;  // a rounded edge has its contour near its crest
 
 /// Whether a piece passes within the distance of p, about in this direction, and not behind the
 /// wall that it is on: below p, along the unit normal there. A zero normal: whichever side.

@@ -31,15 +31,15 @@ struct Plane {
     }
 };
 
-/// The plane of a section, perturbed so that it crosses the side that it starts on away from its
-/// ends and not along it.
+/// The plane of a section, which starts on the side from a to b: moved and turned, if need be, so
+/// that it crosses the side 2 % of its length or more from the ends, at a sine of about .02 or
+/// more.
 Plane crossing_plane(const Section& section, const VertexRecord& a, const VertexRecord& b) {
-    const SurfacePoint from = between(a, b, 0), to = between(a, b, 1);
-    const Eigen::Vector3f edge = to.position - from.position;
+    const Eigen::Vector3f edge = position_of(b) - position_of(a);
     const float length = length_of(edge);
     Plane plane = {section.point, unit(section.normal.cross(section.across))};
     if (!(length > 0)) return plane;
-    const float t = dot(section.point - from.position, edge) / (length * length);
+    const float t = dot(section.point - position_of(a), edge) / (length * length);
     plane.origin += (std::clamp(t, 0.02f, 0.98f) - t) * edge;
     const float crossing = dot(plane.normal, edge) / length;
     if (std::abs(crossing) < 0.02f) plane.normal += (crossing < 0 ? -0.02f : 0.02f) / length * edge;

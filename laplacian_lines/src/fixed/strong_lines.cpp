@@ -18,7 +18,8 @@ constexpr float kSharpAngle = 45;  // degrees; sharper pieces count more than th
 // Within a large triangle the place of a line is a guess, but along all of the narrow strips of a
 // rounded edge.
 constexpr float kLongPiece = 0.06f, kHighStrip = 0.01f;  // D
-// Sides of triangles, in lengths of the stretch; its ends are guesses as well within the first.
+// Longest sides, in lengths of the stretch: of triangles within which all of the stretch is a
+// guess, and of strips that it may follow from end to end.
 constexpr float kLongTriangle = 2, kWholeStrip = 1.1f;
 constexpr float kMostGuessed = 0.25f;  // of the length of a stretch
 
@@ -68,7 +69,7 @@ float contour_opacity(const ExtractorData& data, const LocalEye& eye, float clea
                       const LinePoint& point, const ZeroLines::Sample& sample) {
     const Eigen::Vector3f l = eye.towards(data.local_of(point.position));
     const float facing = std::abs(dot(sample.normal, l)), gradient = std::abs(dot(sample.bend, l));
-    return clearance_opacity(facing, std::max(gradient, 1e-6f), clearance);
+    return clearance_opacity(facing, std::max(gradient, 1e-6f), clearance);  // not 0
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace laplacian_lines {
 /// half of it.
 struct StrongLineRules {
     float least;                       ///< gradient
-    float fading;                      ///< opacity is 1 at (1 + fading) times the weakest gradient
+    float fading;                      ///< opacity is 1 at (1 + fading) times half of `least`
     float least_length, least_strong;  ///< of a stretch and of its strong part, D
     float clearance;                   ///< points nearer to a contour fade; D, in the picture
     int smoothing_passes;

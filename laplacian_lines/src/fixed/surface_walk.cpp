@@ -117,26 +117,25 @@ void SurfaceWalk::cross() {
     end_ = begin_;
     if (!find_exit(at_)) return;
     const std::uint32_t boundary = exit_;
-    if (slant_ >= kAcross || !is_boundary(surface_, boundary, boundary_angle_)) return;
+    if (sine_ >= kAcross || !is_boundary(surface_, boundary, boundary_angle_)) return;
     direction_ = dot(direction_, along_) > 0 ? along_ : -along_;
-    // the third side, unless the path has come from there
-    if (!find_exit(boundary)) has_next_ = false;
+    find_exit(boundary);  // the third side, unless the boundary leads back to the entry
 }
 
-bool SurfaceWalk::find_exit(std::uint32_t boundary) {
+bool SurfaceWalk::find_exit(std::uint32_t excluded) {
     float nearest = std::numeric_limits<float>::max();
     for (const std::uint32_t side : {next_side(at_), previous_side(at_)}) {
-        if (side == boundary) continue;
+        if (side == excluded) continue;
         const Vector3f along = direction_of(surface_, side);
         const Vector3f out = along.cross(surface_.facet(at_ / 3).normal);
-        const float slant = dot(direction_, out);
-        if (!(slant > 1e-6f)) continue;
-        const float distance = dot(surface_.position(surface_.begin(side)) - place_, out) / slant;
+        const float sine = dot(direction_, out);
+        if (!(sine > 1e-6f)) continue;  // along the side, or away from it
+        const float distance = dot(surface_.position(surface_.begin(side)) - place_, out) / sine;
         if (distance >= nearest) continue;
         nearest = distance;
         exit_ = side;
         along_ = along;
-        slant_ = slant;
+        sine_ = sine;
     }
     has_next_ = nearest < std::numeric_limits<float>::max();
     if (!has_next_) return false;
@@ -149,7 +148,7 @@ bool SurfaceWalk::find_exit(std::uint32_t boundary) {
 void SurfaceWalk::advance() {
     const std::uint32_t next = surface_.across(exit_);
     sign_ *= surface_.sign_across(exit_);
-    direction_ = unit(dot(direction_, along_) * along_ - slant_ * outwards(surface_, next));
+    direction_ = unit(dot(direction_, along_) * along_ - sine_ * outwards(surface_, next));
     begin_ = end_;
     at_ = next;
     cross();

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cmath>
-
 #include "fixed/surface.h"
 
 namespace laplacian_lines {
@@ -31,7 +29,7 @@ struct SmallAngle {
 };
 
 /// A straight path on a face: from the middle of an edge over one triangle after the other. Where
-/// it meets a boundary at a slant it follows it.
+/// the path meets a boundary at a slant it goes on along the boundary.
 class SurfaceWalk {
 public:
     /// Starts into the triangle of this side, at a right angle to it but for the sine `lean`
@@ -50,7 +48,7 @@ public:
     /// Angle of the edge at the exit, degrees, positive where the surface is convex as the first
     /// triangle sees it; and the part of it by which the path turns, which may cross at a slant.
     float angle() const { return sign_ * signed_angle(surface_, exit_); }
-    float turn() const { return angle() * slant_; }
+    float turn() const { return angle() * sine_; }
     /// Whether the surface continues at the exit and angle() is certainly less.
     bool continues_within(const SmallAngle& angle) const;
     /// Whether the surface ends there.
@@ -64,7 +62,8 @@ private:
     template <class Is>
     bool has_side(const Is& is) const;
     void cross();
-    bool find_exit(std::uint32_t boundary);
+    /// Finds where the path leaves the triangle, other than by `excluded`; false if nowhere.
+    bool find_exit(std::uint32_t excluded);
 
     const Surface& surface_;
     std::uint32_t at_;                                                     // the entry
@@ -72,7 +71,8 @@ private:
     const float tangent_of_lean_;
     const SmallAngle boundary_angle_;
     float sign_ = 1;  // -1: the triangle has the other orientation than the first one
-    float begin_ = 0, centre_ = 0, end_ = 0, slant_ = 0;
+    float begin_ = 0, centre_ = 0, end_ = 0;
+    float sine_ = 0;  // between the path and the exit
     std::uint32_t exit_ = 0;
     bool has_next_ = false;
 };

@@ -69,14 +69,14 @@ ZeroPiece zero_piece(const PlacedCluster& placed, unsigned triangle, const bool 
         unsigned a = corners[k], b = corners[(k + 1) % 3];
         if (placed.vertices[b] < placed.vertices[a]) std::swap(a, b);
         const std::pair<ZeroEnd, ZeroEnd> of = ends(a, b);
-        // the signs are those of is_negative, since an end's may depend on a direction's; one is
-        // not 0
+        // Opposite signs by is_negative, whatever these functions say: that of a crest takes its
+        // sign from a direction of either sign. They are not both 0.
         const float fa = std::abs(of.first.function);
         const float t = fa / (fa + std::abs(of.second.function));
-        const VertexRecord &p = placed.records[a], &q = placed.records[b];
+        const VertexRecord &first = placed.records[a], &second = placed.records[b];
         piece[found++] = {std::uint64_t(placed.vertices[a]) << 32 | placed.vertices[b],
-                          {(1 - t) * position_of(p) + t * position_of(q),
-                           (1 - t) * normal_of(p) + t * normal_of(q),
+                          {(1 - t) * position_of(first) + t * position_of(second),
+                           (1 - t) * normal_of(first) + t * normal_of(second),
                            (1 - t) * of.first.bend + t * of.second.bend,
                            3 * (placed.first_triangle + triangle) + k,
                            (1 - t) * of.first.value + t * of.second.value, longest, height}};

@@ -15,7 +15,7 @@ namespace {
 constexpr float kReach = 0.375f;            // to both sides, in √h
 constexpr float kSharpestCosine = -0.342f;  // of 110°
 
-/// Cosine between the ways from a to b and from b to c; 1 where there is none.
+/// Cosine between the ways from a to b and from b to c, if it is negative; else 1.
 float cosine_of_turn(const LinePoint& a, const LinePoint& b, const LinePoint& c) {
     const Eigen::Vector3f u = b.position - a.position, v = c.position - b.position;
     const float product = dot(u, v);

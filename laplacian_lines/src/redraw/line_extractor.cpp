@@ -74,8 +74,8 @@ LocalEye eye_to_local(const View& view, const ExtractorData& data) {
     return {(eye * scale).cast<float>(), float(scale)};
 }
 
-/// Local points are within 1/2 of the centre, so |l| is within w/2 of |e|; a bound of the scaled
-/// facing that needs no |l| and never refuses too much.
+/// A bound of n·v for n·v/|v| that needs no |v| and never refuses too much: local points are within
+/// 1/2 of the centre, so |v| is within w/2 of |e|.
 float least_scaled_facing(float least_facing, const LocalEye& eye) {
     const float length = length_of(eye.eye) + (least_facing < 0 ? eye.w : -eye.w) / 2;
     return least_facing * std::max(length, 0.f);
@@ -107,7 +107,6 @@ ExtractionTask make_task(const View& view, const LineStyle& style, const LocalEy
         rules.slope_scale = float(std::pow(
             kind == LineKind::Laplacian ? data.laplacian_squared_scale : data.squared_scale, 1.5));
         if (data.is_sheet) rules.concave_thinning = LineRules::kNoThinning;
-        // 0: triangles with n·l < 0 at all corners are left out
         const float least_facing =
             rules.leave_out_away ? 0 : least_scaled_facing(rules.least_facing, eye);
         const bool on_edges = is_on_edges(kind, style, data);

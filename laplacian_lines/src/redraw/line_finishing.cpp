@@ -88,7 +88,7 @@ void weigh(const LineRules& rules, const Polyline& p, LinePoint* points) {
     }
 }
 
-/// Weights and opacities, of which the last four numbers of a point are the second and the last.
+/// Smooths weights and opacities, the second and the last of a point's last four numbers.
 void smooth_looks(const Polyline& p, LinePoint* points) {
     smooth_binomially<LineEnd::Repeated>(
         p.count, p.closed, kTaperingPasses, [&](std::size_t i) { return four_of(points[i], 2); },
@@ -179,13 +179,13 @@ void finish_line(const ExtractorData& data, const TracedLines& traced,
     const Polyline& p = line.polyline;
     const LineRules& rules = *line.rules;
     collect_points(traced, line, points);
-    // Where a line crosses an edge, both triangles say; in meshes that are wild they differ.
+    // The first and the last triangle each say where they meet; in wild meshes they differ.
     if (p.closed) points[p.count - 1].position = points[0].position;
     if (rules.whole) finish_part(traced, line, thread, points);
     if (!is_cut_by_convex(rules)) cut_at_hairpins(rules, p, thread, points);
     if (rules.use_slope) {
         taper(rules, p, points);
-    } else {
+    } else {  // contours thin out instead of fading
         for (std::uint32_t i = 0; i < p.count; ++i)
             points[i].weight = std::exchange(points[i].opacity, 1.f);
         smooth_looks(p, points);

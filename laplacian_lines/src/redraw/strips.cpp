@@ -56,8 +56,8 @@ void find_chunk(const ClusterStore& store, std::size_t cluster_count, const Extr
         chunk.end[kind] = thread.output[kind].strip_count;
 }
 
-/// Any thread may find any part of the strips next time, or its first part; then none of them has
-/// to allocate, for kinds that share a pass with a wanted one either.
+/// Gives each thread room for all that was found, of whichever part it finds next time, so that
+/// redraws allocate nothing.
 void even_out(const ExtractionTask& task, FoundStrips& found) {
     for (const StripPass& pass : kStripPasses)
         for (unsigned kind = pass.first; kind < pass.first + pass.count; ++kind) {
@@ -117,7 +117,7 @@ void find_strips(const ExtractorData& data, const ExtractionTask& task, FoundStr
     found.chunks.resize(chunks);
     for (FindingThread& thread : found.threads) {
         if (!thread.memory) thread.memory = std::make_unique<SimdMemory>();
-        thread.kept.resize(kChunk + 1);
+        thread.kept.resize(kChunk);
         for (StripOutput& output : thread.output)
             output.strip_count = output.point_count = 0;
     }

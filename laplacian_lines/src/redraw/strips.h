@@ -52,11 +52,12 @@ struct JoinedStrip {
 
 struct JoiningMemory {
     std::vector<JoinedStrip> strips[kStripKindCount];
-    std::vector<std::uint32_t> end_at_edge;  ///< that waits there, or kNoEnd
+    std::vector<std::uint32_t> end_at_edge;  ///< the end that waits there, or kNoEnd
 };
 
 /// Replaces memory.strips[kind] by the strips of that kind, joined where two of them end at an
-/// edge, or at a vertex of `horizon`. `place_count`: of those.
+/// edge, or those of append_horizon() at a vertex. `place_count`: how many such edges or vertices
+/// there are.
 void join_strips(const FoundStrips& found, unsigned kind, std::uint32_t place_count,
                  JoiningMemory& memory);
 

@@ -8,7 +8,7 @@
 
 namespace laplacian_lines {
 
-/// Its length in D, and sums of values times length along it.
+/// A piece of a line: its length in D, and sums of values times length along it.
 struct LinePiece {
     float length;
     float slope;     ///< of the slope, which is less than 0 at phantoms

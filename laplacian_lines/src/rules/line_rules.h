@@ -15,7 +15,7 @@ struct LineRules {
 
     LineKind kind{};
     float least_gradient = kAnything;  ///< ‖∇I‖·D
-    float least_facing = kAnything;    ///< n·l/|l|
+    float least_facing = kAnything;    ///< n·v/|v|
     bool reject_phantoms = false;
     bool concave_only = false;
     /// Skip triangles with is_convex() at all corners, where concave_only would accept hardly any
@@ -24,7 +24,7 @@ struct LineRules {
     bool leave_out_convex = false;
     /// Skip triangles without a form of their own, see find_featureless_triangles().
     bool drop_featureless = false;
-    /// Skip triangles with n·l < 0 at all corners, where contour_clearance leaves no opacity.
+    /// Skip triangles with n·v < 0 at all corners, where contour_clearance leaves no opacity.
     bool leave_out_away = false;
     bool use_slope = false;  ///< false: no slopes are computed or tested, nor decide the width
     float slope_scale = 0;   ///< h_e^1.5, D³: slopes have no unit
@@ -52,6 +52,7 @@ static inline bool is_cut_by_convex(const LineRules& rules) {
     return !rules.whole || !rules.concave_only || rules.least_concavity > -1;
 }
 
+/// Passes with the weights 1-2-1 for a standard deviation in points of a line.
 int smoothing_passes(double deviation);
 
 }  // namespace laplacian_lines

@@ -7,8 +7,7 @@
 namespace laplacian_lines {
 namespace {
 
-/// D; for the least curvature.
-constexpr float kLeastApparent = 0.02f;
+constexpr float kLeastApparent = 0.02f;   // D; least length of apparent ridges of least curvature
 constexpr float kLeastFullSlope = 1e-6f;  // weights are divided by it
 // How far above a kind's least slope its lines have their full width, in least slopes.
 constexpr float kFullPhotic = 12, kFullSuggestive = 8, kFullApparent = 6;
@@ -27,7 +26,7 @@ int smoothing_passes(double deviation) {
     return int(std::lround(2 * deviation * deviation));  // a pass has a variance of 1/2
 }
 
-/// Lengths and curvatures vary less than slopes, by the square root; angles by the eighth.
+/// Lengths and curvatures vary less than slopes, by the square root; the ridge angle by the eighth.
 Thresholds::Thresholds(const LineStyle& style) {
     const double factor = threshold_factor(style.detail);
     const auto slopes = float(factor), curvatures = std::sqrt(slopes);

@@ -35,7 +35,7 @@ constexpr double kMostFadingOfConvex = 1;
 /// is convex whatever the light. The least cosine between w and Sw is 2√(k₁k₂)/(k₁ + k₂).
 inline bool is_convex(const ShapeOperator& s) {
     constexpr float c = float(kMostFadingOfConvex / 4);
-    const float trace = s.xx + s.yy + s.zz;  // k₁ + k₂
+    const float trace = s.trace();  // k₁ + k₂
     const float product =
         s.xx * s.yy + s.yy * s.zz + s.zz * s.xx - s.xy * s.xy - s.yz * s.yz - s.xz * s.xz;  // k₁k₂
     return trace > 0 && 4 * product >= c * c * trace * trace;

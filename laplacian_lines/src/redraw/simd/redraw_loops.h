@@ -118,7 +118,7 @@ struct Batch {
     ActiveTriangles active[kMostKindsOfPass];
 };
 
-/// The records of the cluster in which the vertex at a place is, by places.
+/// The records of the cluster in a slot, by the places of its vertices in the batch.
 struct RecordsOfSlot {
     const VertexRecord* records;
     std::uint32_t offset;
@@ -136,9 +136,9 @@ struct CrossingMemory {
     std::uint16_t ends[kPlaces][2];                    ///< places of vertices, negative first
     alignas(64) float below[kPlaces], above[kPlaces];  ///< values at the ends
     alignas(64) float share[kPlaces];                  ///< of the positive end, 0..1
-    alignas(64) float facing[kPlaces], lit[kPlaces];   ///< n·eye, n·light
+    alignas(64) float facing[kPlaces], lit[kPlaces];   ///< n·eye; n·l with the kind's source() l
     alignas(64) float position[3][kPlaces];
-    alignas(64) float g[3][kPlaces];  ///< ∇I = S l
+    alignas(64) float g[3][kPlaces];  ///< ∇I = S l; after the kind's test() d, see SegmentSlope
     alignas(64) float gradient[kPlaces], opacity[kPlaces];
     alignas(64) float concave[kPlaces];  ///< of whole lines: −l·Sl/‖t‖ of l's tangential part t
     std::uint64_t accepted[kPlaces / 64 + 1];  ///< a bit for each
@@ -151,7 +151,7 @@ struct SegmentMemory {
     static constexpr std::uint16_t kNone = 0xffff;
     std::uint16_t triangle[kPlaces];  ///< place in ActiveTriangles, and of the crossing at the end
     std::uint16_t begin[kPlaces];     ///< crossing
-    alignas(64) float g[3][kPlaces];  ///< sum of the ends' gradients
+    alignas(64) float g[3][kPlaces];  ///< sum of those of both ends
     alignas(64) float u[3][kPlaces];  ///< first to second corner
     alignas(64) float v[3][kPlaces];  ///< first to third corner
     alignas(64) float fu[kPlaces], fv[kPlaces];  ///< differences of the function

@@ -52,10 +52,6 @@ struct Sight {
     }
 };
 
-static inline Floats choose(Ints condition, Floats a, Floats b) {
-    return condition ? a : b;
-}
-
 /// q1² is the larger eigenvalue of (S A)ᵀ S A, t its direction, r that of A t; the derivative of an
 /// eigenvalue is that of the matrix between its directions: 2 q1 D = 2 (S b·dA t + C(r, a, b)) with
 /// a = A t, b = S a.
@@ -65,16 +61,15 @@ static inline ApparentCurvature apparent_curvature(const CurvatureColumns& p, co
     const Floats half = (uu - vv) / 2, root = square_root(half * half + uv * uv);
     const Floats squared = (uu + vv) / 2 + root, q = square_root(squared);
     const Ints along_u = half > 0;
-    const Floats absolute_half = choose(along_u, half, -half);
-    const Floats tu = choose(along_u, absolute_half + root, uv),
-                 tv = choose(along_u, uv, absolute_half + root);
+    const Floats larger = absolute(half) + root;
+    const Floats tu = along_u ? larger : uv, tv = along_u ? uv : larger;
     const Floats length = square_root(tu * tu + tv * tv);
     const Tangents t = {tu / length, tv / length};
     const Tangents a = sight.to_surface(t), b = p.S(a);
     const Tangents r = a * (1 / square_root(dot(a, a)));
     const Floats derivative = (sight.change(p, r, p.S(b), t) + p.C(r, a, b)) / q;
     const Ints usable = (sight.cosine > 0) & (length > 0);
-    return {choose(usable, q, Floats{}), derivative, p.in_space(r)};
+    return {usable ? q : Floats{}, derivative, p.in_space(r)};
 }
 
 static inline void evaluate_apparent(const ClusterInSlot& place, const float eye[4],
@@ -172,7 +167,7 @@ private:
                     std::uint8_t(g * kMaskGroup + unsigned(__builtin_ctzll(wanted)));
         }
     }
-    /// A bit for each triangle of a group that there is.
+    /// A bit for each triangle that a group has.
     std::uint64_t existing(unsigned group) const {
         const unsigned rest = cluster_.triangle_count - group * kMaskGroup;
         return rest < kMaskGroup ? (std::uint64_t(1) << rest) - 1 : ~std::uint64_t(0);

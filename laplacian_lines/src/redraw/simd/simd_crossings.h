@@ -82,7 +82,7 @@ public:
     Vectors position, normal;
 
 private:
-    /// tangent_frame().
+    /// As tangent_frame().
     void make_frame() {
         const Floats one = Floats{} + 1;
         const Floats sign = (Floats)(((Ints)normal.z & std::int32_t(0x80000000)) | (Ints)one);
@@ -116,11 +116,12 @@ static inline void find_shares(const float* values, CrossingMemory& m, std::size
     }
 }
 
-/// Positions of crossings, and there S l and n·l in the last place, S and n interpolated.
+/// Positions of crossings, and there S l and n·l in the last place, S and n interpolated, l the
+/// vector to `source`, an eye or light.
 struct EdgePoints {
     Floats position[4], gradient[4];
 };
-static inline EdgePoints find_edge_points(const Batch& batch, const float eye_of_light[4],
+static inline EdgePoints find_edge_points(const Batch& batch, const float source[4],
                                           const CrossingMemory& m, std::size_t i) {
     const float *below[kLanes], *above[kLanes];  // records, as rows of four
     for (unsigned k = 0; k < kLanes; ++k) {
@@ -139,7 +140,7 @@ static inline EdgePoints find_edge_points(const Batch& batch, const float eye_of
     EdgePoints points;
     interpolate(0, points.position);
     for (unsigned row = 0; row < 3; ++row) {
-        const Floats l = eye_of_light[row] - eye_of_light[3] * points.position[row];
+        const Floats l = source[row] - source[3] * points.position[row];
         Floats columns[4];
         interpolate(1 + row, columns);
         for (unsigned k = 0; k < 4; ++k)
@@ -148,11 +149,11 @@ static inline EdgePoints find_edge_points(const Batch& batch, const float eye_of
     return points;
 }
 
-/// Positions, gradients and n·light of crossings [0, count).
-static inline void find_points(const Batch& batch, const float eye_of_light[4], CrossingMemory& m,
+/// Positions, gradients S l and n·l of crossings [0, count).
+static inline void find_points(const Batch& batch, const float source[4], CrossingMemory& m,
                                std::size_t count) {
     for (std::size_t i = 0; i < count; i += kLanes) {
-        EdgePoints points = find_edge_points(batch, eye_of_light, m, i);
+        EdgePoints points = find_edge_points(batch, source, m, i);
         auto& [p, g] = points;
         p[3] = square_root(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
         store_vectors({p[0], p[1], p[2]}, m.position, i);
@@ -185,8 +186,8 @@ static inline Vectors towards(const float eye[4], const CrossingMemory& m, std::
     return e - load_vectors(m.position, i) * (Floats{} + eye[3]);
 }
 
-/// What the slope of a segment is, of whole lines less than 0 where ∇f·d > 0: with ∇f of the linear
-/// interpolant and the vectors d that a kind's test leaves in CrossingMemory::g,
+/// What the slope of a segment is, with ∇f of the linear interpolant and the vectors d that a
+/// kind's test() leaves in CrossingMemory::g. Of whole lines it is less than 0 where ∇f·d > 0.
 enum class SegmentSlope {
     Scaled,     ///< ‖∇f‖ times LineRules::slope_scale
     Along,      ///< −∇f·d, a change in a squared length, times h_e, to the power 1.5

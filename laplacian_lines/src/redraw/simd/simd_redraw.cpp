@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <initializer_list>
-
 #include "redraw/simd/simd_apparent.h"
 #include "system/simd_sets.h"
 

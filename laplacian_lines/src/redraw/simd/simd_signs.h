@@ -64,22 +64,6 @@ private:
 inline void VertexSigns::set(unsigned which, const VertexBits& bits) {
     sets_[which] = bits;
 }
-#else
-inline void VertexSigns::set(unsigned which, const VertexBits& bits) {
-    constexpr std::uint64_t ones = 0x0101010101010101;
-    for (unsigned i = 0; i < kClusterVertices; i += 8) {
-        // Bit k of eight to byte k: copies of them all, one bit of each, and that to the lowest.
-        const std::uint64_t copies = (bits.words[i / 64] >> i % 64 & 0xff) * ones;
-        const std::uint64_t single = copies & 0x8040201008040201;
-        const std::uint64_t lowest = (single + 0x7f7f7f7f7f7f7f7f) >> 7 & ones;
-        std::uint64_t all;
-        __builtin_memcpy(&all, bits_ + i, 8);
-        all |= lowest << which;
-        __builtin_memcpy(bits_ + i, &all, 8);
-    }
-}
-#endif
-#if defined(__AVX2__)
 inline CornerLookup::CornerLookup(const unsigned char* corners, const VertexSigns& signs)
     : signs_(signs) {
     for (int half = 0; half < 2; ++half) {
@@ -99,6 +83,19 @@ inline std::uint64_t CornerLookup::operator()(unsigned which) const {
     return halves[0] | std::uint64_t(halves[1]) << 32;
 }
 #else
+inline void VertexSigns::set(unsigned which, const VertexBits& bits) {
+    constexpr std::uint64_t ones = 0x0101010101010101;
+    for (unsigned i = 0; i < kClusterVertices; i += 8) {
+        // Bit k of eight to byte k: copies of them all, one bit of each, and that to the lowest.
+        const std::uint64_t copies = (bits.words[i / 64] >> i % 64 & 0xff) * ones;
+        const std::uint64_t single = copies & 0x8040201008040201;
+        const std::uint64_t lowest = (single + 0x7f7f7f7f7f7f7f7f) >> 7 & ones;
+        std::uint64_t all;
+        __builtin_memcpy(&all, bits_ + i, 8);
+        all |= lowest << which;
+        __builtin_memcpy(bits_ + i, &all, 8);
+    }
+}
 inline CornerLookup::CornerLookup(const unsigned char* corners, const VertexSigns& signs) {
     for (unsigned i = 0; i < kMaskGroup; ++i)
         found_[i] = signs.bits_[corners[i]];

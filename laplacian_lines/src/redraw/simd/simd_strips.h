@@ -16,7 +16,7 @@ static inline unsigned list_crossings(const ActiveTriangles& active, CrossingMem
     const auto list = [&](unsigned crossing, const std::uint16_t ends[2]) {
         __builtin_memcpy(m.ends[crossing], ends, sizeof m.ends[0]);
     };
-    for (unsigned i = 0; i < active.count; ++i)  // all that is asked for
+    for (unsigned i = 0; i < active.count; ++i)  // those that are looked up below
         s.in_triangle[active.triangles[i].previous] = SegmentMemory::kNone;
     for (unsigned i = 0; i < active.count; ++i) {
         s.in_triangle[active.triangles[i].own] = std::uint16_t(i);
@@ -34,6 +34,13 @@ static inline unsigned list_crossings(const ActiveTriangles& active, CrossingMem
     return crossings;
 }
 
+/// Puts something valid behind `count` segments, for whole vectors; returns `count`.
+static inline unsigned padded(SegmentMemory& s, unsigned count) {
+    for (unsigned i = count; i < count + kLanes; ++i)
+        s.triangle[i] = s.begin[i] = 0;
+    return count;
+}
+
 /// Leaves out segments with a refused crossing; returns how many are left.
 static inline unsigned keep_accepted(const CrossingMemory& m, SegmentMemory& s, unsigned count) {
     unsigned kept = 0;
@@ -47,18 +54,14 @@ static inline unsigned keep_accepted(const CrossingMemory& m, SegmentMemory& s, 
             kept += m.accepted[begin / 64] >> begin % 64 & 1;
         }
     }
-    for (unsigned i = kept; i < kept + kLanes; ++i)  // something valid
-        s.triangle[i] = s.begin[i] = 0;
-    return kept;
+    return padded(s, kept);
 }
 
 /// Keeps all segments; the counterpart of keep_accepted().
 static inline unsigned keep_all(SegmentMemory& s, unsigned count) {
     for (unsigned i = 0; i < count; ++i)
         s.triangle[i] = std::uint16_t(i);
-    for (unsigned i = count; i < count + kLanes; ++i)  // something valid
-        s.triangle[i] = s.begin[i] = 0;
-    return count;
+    return padded(s, count);
 }
 
 /// Sums over segments [0, count), whose slopes are known; strength: Eq. 4.
@@ -162,9 +165,7 @@ static inline unsigned keep_steep(const LineRules& rules, SegmentMemory& s, unsi
         s.slope[kept] = s.slope[i];
         kept += s.slope[i] >= 0;
     }
-    for (unsigned i = kept; i < kept + kLanes; ++i)  // something valid
-        s.triangle[i] = s.begin[i] = 0;
-    return kept;
+    return padded(s, kept);
 }
 
 // ---- strips ----
@@ -199,7 +200,7 @@ private:
     /// Finds which segments go on, and which follow on none; returns the number of these.
     unsigned link() {
         SegmentMemory& s = segments_;
-        for (unsigned i = 0; i < count_; ++i)  // all that is asked for
+        for (unsigned i = 0; i < count_; ++i)  // those that are looked up below
             s.ending[s.begin[i]] = s.next[i] = SegmentMemory::kNone;
         for (unsigned i = 0; i < count_; ++i)
             s.ending[s.triangle[i]] = std::uint16_t(i);
