@@ -19,10 +19,10 @@ using laplacian_lines::TriangleMesh;
 
 constexpr std::size_t kMostWork = 1000000000;  // corners visited: some seconds
 constexpr double kPlanar = 1e-6;               // of the size; as far as coordinates are rounded
-constexpr std::size_t kMostLeastArea = 32;     // corners: the cube of them is worked
-constexpr double kFolded = 1000;               // times its area counts a folded triangle
+constexpr std::size_t kMostLeastArea = 32;     // corners: the work grows with their cube
+constexpr double kFolded = 1000;               // factor of the area of folded triangles
 
-/// Newell's: summed over the edges, twice the area long.
+/// By Newell's sum over the edges; twice the area long.
 Vector3d normal_of(const std::vector<Vector3d>& polygon) {
     Vector3d sum = Vector3d::Zero();
     for (std::size_t i = 0; i < polygon.size(); ++i)
@@ -43,7 +43,7 @@ std::vector<Vector3d> scaled(const std::vector<Vector3d>& polygon) {
     return all;
 }
 
-/// Counter-clockwise, projected.
+/// Projected along the normal, counter-clockwise.
 std::vector<Vector2d> in_plane(const std::vector<Vector3d>& polygon, const Vector3d& normal) {
     const Vector3d right = normal.unitOrthogonal(), up = normal.cross(right);
     std::vector<Vector2d> flat;

@@ -18,7 +18,7 @@ public:
     /// @throws Defect for a number that no vertex has
     void add(const std::vector<std::int64_t>& corners);
     void add_triangle(std::int64_t a, std::int64_t b, std::int64_t c);
-    /// Faces may have any numbers below, also of vertices that follow.
+    /// Faces may use vertices of any number below `count`, also such as follow later.
     void expect_vertices(std::uint64_t count) { expected_ = count; }
     void reserve_vertices(std::size_t count) { mesh_.positions.reserve(count); }
     void reserve_triangles(std::size_t count) { mesh_.triangles.reserve(count); }
@@ -26,7 +26,8 @@ public:
 
     std::size_t skipped_faces() const { return skipped_faces_; }
 
-    /// Triangulates all faces whose vertices exist. `defect`, unless set, names one that cannot be.
+    /// Takes the mesh, with all faces whose vertices exist as triangles. `defect`, unless set,
+    /// names a polygon that is too intricate; those after it are missing.
     laplacian_lines::TriangleMesh finish(std::string& defect);
 
 private:

@@ -102,7 +102,7 @@ private:
                              std::to_string(mesh_.vertex_count())};
             corners_.push_back(vertex);
         }
-        // cut off; a face with more corners left cannot be told
+        // cut off; a face that has three corners left looks whole
         if (corners_.size() < 3 && ends_in_line_ && text_.rest().empty()) throw_cut_off();
         const auto last = std::max_element(corners_.begin(), corners_.end());
         if (corners_.size() >= 3 && *last >= std::int64_t(mesh_.vertex_count()))

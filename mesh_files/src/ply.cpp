@@ -162,7 +162,7 @@ public:
                                                       number<std::int16_t>, number<std::uint16_t>,
                                                       number<std::int32_t>, number<std::uint32_t>,
                                                       number<float>,        number<double>};
-        return numbers[std::size_t(type)](at);  // by PlyType
+        return numbers[std::size_t(type)](at);
     }
     std::string_view rest() const { return bytes_; }
 
@@ -269,7 +269,7 @@ void expect_coordinates(const PlyElement& vertices) {
 }
 
 /// Reserves room for what the header promises, at most for what the bytes can hold: a triangle
-/// takes three at least.
+/// takes three bytes at least.
 void reserve(const PlyHeader& header, std::size_t bytes, MeshBuilder& mesh) {
     const bool is_text = header.encoding == PlyHeader::Encoding::Text;
     for (const PlyElement& element : header.elements) {

@@ -15,10 +15,15 @@ bool equals(std::string_view word, std::string_view small_letters) {
                       [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; });
 }
 
+/// Names may run into the word.
+bool is_solid(std::string_view word) {
+    return equals(word.substr(0, 5), "solid");
+}
+
 /// Binary headers may begin with "solid" as well.
 bool is_text(std::string_view bytes) {
     std::string_view rest = bytes;
-    if (!equals(take_word(rest).substr(0, 5), "solid")) return false;
+    if (!is_solid(take_word(rest))) return false;
     if (bytes.size() < kHeadSize) return true;
     const auto count = little_endian<std::uint32_t>(bytes.data() + kCountAt);
     if (bytes.size() == kHeadSize + kTriangleSize * std::size_t(count)) return false;
@@ -32,10 +37,9 @@ public:
     std::string read() {
         std::size_t skipped = 0;
         for (std::string_view word; !(word = text_.next_word()).empty();) {
-            const bool is_solid = equals(word, "solid");
             if (equals(word, "facet")) throw Defect{"expected \"solid\", not " + quoted(word)};
             text_.skip_line();
-            if (is_solid)
+            if (is_solid(word))
                 read_solid();
             else
                 ++skipped;

@@ -10,7 +10,7 @@
 
 namespace mesh_files {
 
-/// The file is malformed. what(): a part of a sentence.
+/// The file is malformed. `what` is a part of a sentence.
 struct Defect {
     std::string what;
     std::size_t line = 0;  ///< 0: the one that is being read
@@ -58,7 +58,7 @@ double number_in(std::string_view word);
 std::int64_t integer_in(std::string_view word);
 /// Removes x, y and z from the front. @throws Defect
 Eigen::Vector3d coordinates_in(std::string_view& line);
-/// Up to the end or a comment.
+/// How many, up to the end or a comment.
 std::size_t words_in(std::string_view line);
 /// Short and printable, for messages.
 std::string quoted(std::string_view word);

@@ -97,6 +97,7 @@ TEST(WholeFiles, MayHaveMoreThanTheirFormatThenItIsSaid) {
         "lines skipped that are no statements of OBJ files: 2, the first is line 2, \"$\"; faces "
         "skipped that have fewer than three corners: 2");
     expect("stl", "", "of others\nsolid\nendsolid\n", "lines skipped after \"endsolid\": 1");
+    expect("stl", "", "solidb\nendsolid\n", "");
     for (const char* name : {"binary stl", "ply", "big ply", "off"})
         expect(name, "", "3 0 1\n",
                "its last 6 bytes, after what its header promises, are not read");

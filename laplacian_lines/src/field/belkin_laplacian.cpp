@@ -2,7 +2,7 @@
 // Eq. 2 of Laplacian Lines at every vertex,
 //     Δn(p) = 1/(4πh²) Σ_q m_q exp(−‖q − p‖²/4h) (n_q − n_p):
 //  1. Find where a direct sum may be cut off: where what is left of it is the accuracy asked for.
-//  2. Take the cheaper way to sum: so, or on a grid (sums/gaussian_sums.h).
+//  2. Sum by the cheaper way: directly, or on a grid (sums/gaussian_sums.h).
 //  3. Make up for the part that was cut off, and for what the kernel lacks beyond a border.
 #include "field/field_steps.h"
 

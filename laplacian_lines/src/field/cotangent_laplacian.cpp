@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field/field_steps.h"
 
-#include <Eigen/Geometry>
-
 namespace laplacian_lines {
 
 std::vector<Eigen::Vector3d> cotangent_laplacian(const PreparedMesh& mesh,

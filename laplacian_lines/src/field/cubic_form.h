@@ -11,11 +11,14 @@ namespace laplacian_lines {
 struct CubicForm {
     std::complex<double> first, third;
 
-    /// From C(u,u,u), C(u,u,v), C(u,v,v), C(v,v,v) in the frame (u, v).
-    static CubicForm of(double uuu, double uuv, double uvv, double vvv) {
+    /// The symmetric part of the derivatives of S(u,u), S(u,v), S(v,v) along u and along v.
+    static CubicForm of(const double by_u[3], const double by_v[3]) {
+        const double uuu = by_u[0], uuv = (by_v[0] + 2 * by_u[1]) / 3,
+                     uvv = (by_u[2] + 2 * by_v[1]) / 3, vvv = by_v[2];
         return {{0.75 * (uuu + uvv), 0.75 * (uuv + vvv)},
                 {0.25 * (uuu - 3 * uvv), 0.25 * (3 * uuv - vvv)}};
     }
+    /// C(u,u,u), C(u,u,v), C(u,v,v), C(v,v,v).
     Eigen::Vector4d entries() const {
         return {first.real() + third.real(), first.imag() / 3 + third.imag(),
                 first.real() / 3 - third.real(), first.imag() - third.imag()};
@@ -25,9 +28,9 @@ struct CubicForm {
     CubicForm turned(std::complex<double> direction) const {
         return {first * direction, third * direction * direction * direction};
     }
-    void add(const CubicForm& other, double factor) {
-        first += factor * other.first;
-        third += factor * other.third;
+    void add(const CubicForm& other) {
+        first += other.first;
+        third += other.third;
     }
     void scale(double factor) {
         first *= factor;

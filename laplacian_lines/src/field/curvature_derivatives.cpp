@@ -7,7 +7,6 @@
 //     at the vertex.
 //  3. Both go back to the mesh's unit, and to vertices that were left out or welded.
 #include <algorithm>
-#include <cmath>
 
 #include "field/cubic_form.h"
 #include "field/field_steps.h"
@@ -20,7 +19,7 @@ namespace {
 
 constexpr double kSmoothed = 0.3;  // part of the time at which S̄ is known
 
-// Between a triangle's normal and its corners'; below, S is of another side.
+// Between a triangle's normal and a corner's; below, the corner's S is that of another side.
 constexpr double kLeastCosine = 0.1;
 
 /// A vertex whose S is differentiated, local units.
@@ -76,10 +75,9 @@ void add_differences(const PreparedMesh& mesh, const Field& field, const Triangl
             by_b[i] += plane.edges[k].dot(plane.t) * corners[k].entries[i];
         }
     }
-    const CubicForm form =
-        CubicForm::of(by_t[0], (by_b[0] + 2 * by_t[1]) / 3, (by_t[2] + 2 * by_b[1]) / 3, by_b[2]);
+    const CubicForm form = CubicForm::of(by_t, by_b);
     for (int k = 0; k < 3; ++k) {
-        forms[t[k]].add(form.turned(corners[k].direction), 1);
+        forms[t[k]].add(form.turned(corners[k].direction));
         areas[t[k]] += plane.twice_area;
     }
 }

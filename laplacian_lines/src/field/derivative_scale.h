@@ -12,7 +12,7 @@ inline double derivative_kernel(const FieldScale& scale) {
     return std::max(scale.kernel_size, 2 * scale.mean_edge);
 }
 
-/// h_e of a whole mesh for a √h in its units, D².
+/// h_e = h + σ²/2 of a whole mesh, in D², for a √h in mesh units.
 inline double squared_scale(double kernel_size, const FieldScale& scale) {
     const double size = kernel_size / scale.diagonal, sigma = scale.normal_sigma / scale.diagonal;
     return size * size + sigma * sigma / 2;

@@ -9,7 +9,6 @@
 //  3. The vertices are put among these points, without a mass.
 #include <Eigen/Geometry>
 #include <array>
-#include <cmath>
 
 #include "field/field_steps.h"
 #include "mesh/corner_normals.h"
@@ -20,15 +19,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSpacing = 0.5;              // √h; sides of small triangles are shorter
-constexpr std::size_t kMostPoints = 1000000;  // and one a triangle: more take over a second
+constexpr double kSpacing = 0.5;  // √h; sides of small triangles are shorter
+// And one for each vertex and triangle: more take over a second.
+constexpr std::size_t kMostPoints = 1000000;
 
 /// The vertices of a mesh, and then points on its triangles.
 struct PointCloud {
     std::vector<Vector3d> positions, normals;
     std::vector<double> masses;
-    double spacing;
-    std::size_t most;
+    double spacing;    // local units
+    std::size_t most;  // points: one more, and it is full
 
     bool is_full() const { return masses.size() > most; }
 

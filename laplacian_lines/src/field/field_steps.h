@@ -30,12 +30,12 @@ double automatic_kernel_size(double mean_edge, double diagonal);
 double kernel_size_of(const PreparedMesh& mesh, const PrecomputeOptions& options);
 
 /// How far noise has moved the vertices, in mean edges: 0 on clean meshes, however coarse. A bump
-/// is the height of the mean of a vertex's neighbours above it. Bumps of a form resemble those
-/// around them, those of noise do not.
+/// is the height of the mean of a vertex's neighbours above the vertex. Bumps of a form resemble
+/// those around them, those of noise do not.
 double vertex_noise(const PreparedMesh& mesh, const VertexRanges& ranges,
                     const std::vector<Eigen::Vector3d>& normals, const StageProgress& stage);
 
-// Clean meshes have 0. From noise of a twelfth of the edges on, contours do not follow edges.
+// Of meshes whose contours may follow edges: that of noise of a twelfth of the edges.
 constexpr double kLargestRoughness = 0.5;
 
 /// MeshReport::roughness, from unsmoothed vertex normals: the larger of noise (vertex_noise()) and
@@ -88,10 +88,10 @@ std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const Sp
                                               const PrecomputeOptions& options,
                                               const StageProgress& stage);
 
-/// Likewise of an Origin::Design: its sum is over points all over the triangles, however large
-/// these are, instead of over the vertices. Normals are CornerNormals, not smoothed and not those
-/// that the mesh brings along. At sharp edges it is the part along the normal of a
-/// curved surface that ends there, or 0: what is across the edge is another surface's.
+/// Δn of an Origin::Design: the sum is over points all over the triangles, however large these are,
+/// instead of over the vertices. Normals are CornerNormals, not smoothed and not those that the
+/// mesh brings along. At a sharp edge only the part along the normal of a curved surface that ends
+/// there is kept, or 0: what is across the edge is another surface's.
 std::vector<Eigen::Vector3d> designed_laplacian(const PreparedMesh& mesh, double kernel_size,
                                                 const ShapeOperators& shape_operators,
                                                 const PrecomputeOptions& options,

@@ -20,6 +20,7 @@ double automatic_kernel_size(double mean_edge, double diagonal) {
 }
 
 double kernel_size_of(const PreparedMesh& mesh, const PrecomputeOptions& options) {
+    // of a Design, one for which kLeastKernelEdges make kDesignedKernel
     const double edge = mesh.origin == Origin::Design
                             ? kDesignedKernel / kLeastKernelEdges
                             : std::max(mesh.mean_edge, kRefinedShare * mesh.known_edge);

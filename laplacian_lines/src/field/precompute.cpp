@@ -25,10 +25,10 @@ constexpr double kSmoothNormals = 0.45, kFitted = 0.55, kTensors = 0.6;
 constexpr double kDerivatives = 0.15;  // of the time with them
 
 constexpr double kDrawnSigma = 0.25;  // of √h, see PrecomputeOptions::drawn_kernel_size
-// Sigma in mean edges where kernels have more edges than the first: removes noise, no lines.
+// Of least_sigma(), which removes noise, no lines; the first two in mean edges.
 constexpr double kFineKernel = 1.3, kFineSigma = 0.8, kSigmaOfFineness = 0.75;
 
-/// 0 for the smallest kernels of these edges; local units.
+/// Local units; 0 if √h is at most kFineKernel edges.
 double least_sigma(double kernel_size, double mean_edge) {
     const double coarse = kFineKernel * mean_edge;
     const double fineness = kernel_size * kernel_size - coarse * coarse;
@@ -39,19 +39,20 @@ Cuts cuts_of(const PrecomputeOptions& options) {
     return options.weld_duplicates ? Cuts::Stitched : Cuts::Left;
 }
 
-/// [N], local units.
+/// Local units; vectors are [N].
 struct LocalField {
     double kernel_size = 0, normal_sigma = 0, roughness = 0;
     std::vector<Eigen::Vector3d> normals, laplacian;
     ShapeOperators shape_operators;
 };
 
+/// That in which options count, local units.
 double edge_of_options(const PreparedMesh& mesh) {
     return mesh.known_edge > 0 ? mesh.known_edge : mesh.mean_edge;
 }
 
-/// Of the smoothing of normals, local units; 0 if none, or if it is automatic
-/// and the roughness is not known.
+/// Of the smoothing of normals, local units; 0 if there is none, or if it is automatic and the
+/// roughness is not known.
 double smoothing_sigma(const PreparedMesh& mesh, const PrecomputeOptions& options,
                        double kernel_size, std::optional<double> roughness) {
     if (options.normal_smoothing == NormalSmoothing::None) return 0;

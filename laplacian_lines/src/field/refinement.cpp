@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn instead of a mesh:
 //  1. Subdivisions at the middles of edges are undone. Others follow for scans alone.
-//  2. Normals of its vertices are those of precompute(), across cuts.
+//  2. Vertices have the normals of precompute(), across cuts.
 //  3. The middle of an edge is put on the cubic curve that leaves both ends normal to their
 //     normals; its normal is that of the quadratic between them which curved surfaces have.
 //  4. Each triangle is cut in four at these middles, until edges are short or two cuts are made.
 #include "laplacian_lines/refinement.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "field/field_steps.h"
 #include "laplacian_lines/error.h"
 #include "mesh/bounding_box.h"
-#include "mesh/corner_table.h"
 #include "mesh/midpoints.h"
 #include "mesh/prepared_mesh.h"
+#include "mesh/sides_by_edge.h"
 
 namespace laplacian_lines {
 namespace {
@@ -29,8 +28,8 @@ constexpr double kKernelEdges = 1.4;
 constexpr int kMostCuts = 2;
 // Forms of so few triangles are polyhedra by design; so many, once cut, take too long.
 constexpr std::size_t kLeastTriangles = 1000, kMostTriangles = 1000000;
-// Sine of the angle between an edge and the plane of an end's normal from which it stays straight
-// there: at the corners of a box it is .58 and .71.
+// Sine of the angle between an edge and the tangent plane at an end, from which the edge stays
+// straight there: at the corners of a box it is .58 and .71.
 constexpr double kSharp = 0.5;
 constexpr double kLongEdge = 3;  // mean edges; between such ends the surface is a guess
 
@@ -50,7 +49,7 @@ bool is_coarse(const TriangleMesh& mesh) {
 
 /// Whether the surface between the vertices may be curved: edges and steps of the form are not.
 bool is_of_curves(const TriangleMesh& mesh, const PreparedMesh& prepared) {
-    // at T-junctions, curved sides would part
+    // cut at T-junctions: curved sides would part
     const std::size_t usable = mesh.triangles.size() - prepared.report.degenerate_triangles;
     return prepared.report.coordinate_step == 0 && prepared.triangles.size() == usable &&
            prepared.origin == Origin::Scan;
@@ -115,7 +114,7 @@ private:
             return edge_between(place_of_[begin_of(triangles, side)],
                                 place_of_[end_of(triangles, side)]);
         };
-        std::vector<std::uint32_t> first(3 * triangles.size());  // of the sides of its edge
+        std::vector<std::uint32_t> first(3 * triangles.size());  // by side: the first at its edge
         visit_edges<char>(first.size(), mesh_.positions.size(), place_edge,
                           [&](const std::uint32_t* begin, const std::uint32_t* end, char&) {
                               for (const std::uint32_t* side = begin; side != end; ++side)

@@ -18,7 +18,6 @@
 #include <array>
 #include <cmath>
 
-#include "laplacian_lines/precompute_options.h"
 #include "sums/summation_cost.h"
 #include "system/parallel.h"
 

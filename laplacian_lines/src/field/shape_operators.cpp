@@ -39,9 +39,9 @@ struct TriangleFit : TrianglePlane {
             uu += along * along, uv += along * beside, vv += beside * beside;
             ru += du * along, rm += du * beside + dv * along, rv += dv * beside;
         }
-        // Normal equations with the rows (uu, uv, 0), (uv, uu + vv, uv), (0, uv, vv), by cofactors.
-        // uu·vv − uv² is the sum, over pairs of edges, of their squared cross product, each twice
-        // the area (Lagrange): no cancellation in slivers.
+        // Normal equations with the rows (uu, uv, 0), (uv, uu + vv, uv), (0, uv, vv) and the right
+        // side (ru, rm, rv), by cofactors. uu·vv − uv² is the sum, over pairs of edges, of their
+        // squared cross product, each twice the area (Lagrange): no cancellation in slivers.
         const double squares = 3 * twice_area * twice_area, scale = 1 / ((uu + vv) * squares);
         tt = scale * ((vv * vv + squares) * ru - uv * vv * rm + uv * uv * rv);
         tb = scale * (uu * vv * rm - uv * (vv * ru + uu * rv));
@@ -104,7 +104,7 @@ ShapeOperators fit_balls(const PreparedMesh& mesh, const SpatialTree& tree,
             }
         });
         if (!(lhs.determinant() > kLeastSpread * lhs.trace() * lhs.trace())) return;
-        // of the symmetric part, that of Sᵀ
+        // the fit is Sᵀ, whose symmetric part is that of S
         operators[i] = SymmetricTensor::of(frame * (lhs.inverse() * rhs)).tangential(n);
     });
     return operators;

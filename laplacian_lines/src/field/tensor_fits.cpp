@@ -49,8 +49,7 @@ TensorFit fit_of(const TensorSums& sums, std::size_t lane) {
         by_y[i] = (xx * sy - xy * sx) / determinant;
         fit.value[i] = s - by_x[i] * x - by_y[i] * y;
     }
-    fit.slopes =
-        CubicForm::of(by_x[0], (by_y[0] + 2 * by_x[1]) / 3, (by_x[2] + 2 * by_y[1]) / 3, by_y[2]);
+    fit.slopes = CubicForm::of(by_x, by_y);
     fit.found = std::isfinite(fit.slopes.entries().sum() + fit.value.sum());
     return fit;
 }

@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <functional>
-#include <vector>
 
 #include "field/cubic_form.h"
 #include "field/tensor_sums.h"

@@ -8,7 +8,7 @@ namespace laplacian_lines {
 namespace {
 
 constexpr std::size_t kMostSamples = 20000;
-constexpr double kLargestBump = 0.3;  // local edges; more is an edge of the form
+constexpr double kLargestBump = 0.3;  // in mean edges of the vertex; more is an edge of the form
 // Lower quartile of the difference between bumps and those around them on a fine flat mesh whose
 // vertices are moved by 1 in random directions.
 constexpr double kOfUnitNoise = 0.29;

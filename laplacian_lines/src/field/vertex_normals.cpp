@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field/field_steps.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
 
 #include "system/large_array.h"

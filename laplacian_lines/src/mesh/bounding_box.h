@@ -24,6 +24,11 @@ Eigen::AlignedBox3d bounding_box(std::size_t count, PointOf point_of) {
         [](const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) { return a.merged(b); });
 }
 
+inline Eigen::AlignedBox3d bounding_box(const std::vector<Eigen::Vector3d>& points) {
+    return bounding_box(points.size(),
+                        [&](std::size_t i) -> const Eigen::Vector3d& { return points[i]; });
+}
+
 /// Of the corners of triangles.
 inline Eigen::AlignedBox3d bounding_box(const std::vector<Eigen::Vector3d>& positions,
                                         const std::vector<Triangle>& triangles) {

@@ -124,8 +124,8 @@ public:
 
     const std::vector<std::uint32_t>& order() const { return order_; }
 
-    /// Calls visit(number) for the elements whose boxes meet `box`, which it may shrink, until it
-    /// returns false, if it returns anything. Returns whether it never did.
+    /// Calls visit(number) for the elements whose boxes meet `box`, until a call returns false;
+    /// `visit` may return nothing, and may shrink `box`. Returns whether no call returned false.
     template <class Visit>
     bool visit(const Box& box, Visit visit) const {
         return levels_.empty() || visit_nodes(top(), 0, box, 0, [&](std::size_t i) {
@@ -169,8 +169,8 @@ private:
     // Level 0 is elements; nodes of level n + 1 have the boxes of levels_[n].
     std::size_t top() const { return levels_.size(); }
 
-    /// Calls visit(node) for the descendants of a node on a level that meet a box, until it returns
-    /// false. Returns whether it never did.
+    /// Calls visit(node) for the descendants of a node on a level that meet a box, until a call
+    /// returns false. Returns whether none did.
     template <class Visit>
     bool visit_nodes(std::size_t at, std::size_t node, const Box& box, std::size_t level,
                      const Visit& visit) const {

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -51,12 +50,12 @@ std::vector<std::uint32_t> ends_of(const std::vector<Edge>& sides) {
     return ends;
 }
 
-/// Borders of a surface, between places, in local coordinates for box trees.
+/// Borders of a surface, between places.
 struct Borders {
     const std::vector<Vector3d>& positions;
     std::vector<Edge> sides;
     Eigen::AlignedBox3d box;
-    std::vector<float> cracks;  ///< by vertex: how near another one counts as at its place
+    std::vector<float> cracks;  ///< by vertex: distance within which others count as at its place
 
     Borders(const std::vector<Vector3d>& all, const Nearness& near,
             const std::vector<Triangle>& triangles)
@@ -75,14 +74,16 @@ struct Borders {
     }
 
     double size() const { return box.diagonal().norm(); }
+    /// In local coordinates, for box trees.
     Vector3d local(std::uint32_t v) const { return (positions[v] - box.center()) / size(); }
     Eigen::AlignedBox3f place(std::uint32_t v) const {
         return Eigen::AlignedBox3f(local(v).cast<float>().eval());
     }
 };
 
-/// Makes those of `place_of` that are nearly at one place the first of them, which has none before
-/// it: places do not run on from one to the next. Returns whether there were any.
+/// Joins each place of a border to the nearest one before it, of those that are nearly there and
+/// were not joined themselves: places do not run on from one to the next. Returns whether there
+/// were any.
 bool join_places(const Borders& borders, std::vector<std::uint32_t>& place_of) {
     const std::vector<std::uint32_t> ends = ends_of(borders.sides);
     const auto tree = BoxTree<3>::along_curve(ends.size(), local_box(), [&](std::uint32_t i) {
@@ -273,9 +274,7 @@ void drop_copies(const std::vector<std::uint32_t>& place_of, std::vector<Triangl
         return t;
     };
     const std::vector<std::uint32_t> first = first_equal_triangles(at_places, key);
-    std::vector<Triangle> rest;
-    for (std::uint32_t t = 0; t < first.size(); ++t)
-        if (first[t] == t) rest.push_back(triangles[t]);
+    std::vector<Triangle> rest = kept(triangles, [&](std::uint32_t t) { return first[t] == t; });
     if (double(rest.size()) < kLeastSingle * double(triangles.size())) triangles.swap(rest);
 }
 

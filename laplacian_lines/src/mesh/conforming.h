@@ -13,7 +13,7 @@ namespace laplacian_lines {
 std::vector<Triangle> with_places(std::vector<Triangle> triangles,
                                   const std::vector<std::uint32_t>& by);
 
-/// Whether a vertex is within a distance of the line between two others, but not of these.
+/// Whether a vertex is within a distance of the segment between two others, but not of its ends.
 bool lies_between(const std::vector<Eigen::Vector3d>& positions, std::uint32_t vertex,
                   std::uint32_t from, std::uint32_t to, double within);
 
@@ -29,11 +29,11 @@ Precision precision_of(const std::vector<Eigen::Vector3d>& positions,
 /// Whether triangles pass each edge equally often in both directions, by sums of 64-bit hashes.
 bool is_closed(const std::vector<Triangle>& triangles);
 
-/// Whether each triangle is there as often facing one way as the other: then they are closed, but
-/// its two sides are of one surface.
+/// Whether each triangle is there as often facing one way as the other: is_closed() holds for
+/// these, but they are the two sides of one surface and enclose nothing.
 bool are_two_sided(const std::vector<Triangle>& triangles);
 
-/// Edges with one side.
+/// Edges of one triangle.
 std::vector<Edge> border_edges(const std::vector<Triangle>& triangles, std::size_t vertices);
 
 /// Of the diagonal: patches of CAD programs and pieces of scans are as far apart; on paper that is
@@ -57,10 +57,10 @@ std::vector<std::uint32_t> make_conforming(const std::vector<Eigen::Vector3d>& p
                                            const Nearness& near, std::vector<Triangle>& triangles);
 
 /// Closes cuts: at texture seams and in triangle soups, triangles that meet have vertices of their
-/// own at one place. Merges pairs of borders that run between the same places, where no
-/// third one does; holes, and surfaces that touch or lie on each other, stay. Returns the
-/// representative of each vertex, that with the smallest number; nothing if all represent
-/// themselves. `place_of`: see make_conforming(). `triangles` have an area.
+/// own at one place. Merges pairs of borders that run between the same places, where no third one
+/// does; holes, and surfaces that touch or lie on each other, stay. Returns the representative of
+/// each vertex, that with the smallest number; nothing if all represent themselves. `place_of`: see
+/// make_conforming(). `triangles` have an area.
 std::vector<std::uint32_t> stitch_cuts(const std::vector<Eigen::Vector3d>& positions,
                                        const std::vector<std::uint32_t>& place_of,
                                        const std::vector<Triangle>& triangles);

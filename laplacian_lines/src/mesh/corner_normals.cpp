@@ -50,7 +50,7 @@ CornerNormals::CornerNormals(const PreparedMesh& mesh, const CornerTable& sides,
     }
     is_bent_.resize(sums_.size());
     for (std::uint32_t corner = 0; corner < sums_.size(); ++corner)
-        if (normal(corner).dot(faces.normals[corner / 3]) < kBentCosine) is_bent_[corner] = 1;
+        is_bent_[corner] = normal(corner).dot(faces.normals[corner / 3]) < kBentCosine;
 }
 
 std::vector<CornerNormals::AtVertex> CornerNormals::at_vertices() const {

@@ -14,7 +14,7 @@
 
 namespace laplacian_lines {
 
-/// The numbers of seven bits with these spread, leaving room for those of the other axes.
+/// By number of seven bits: its bits, with room between them for those of the other axes.
 template <int Dim>
 std::array<std::uint64_t, 128> spread_numbers() {
     std::array<std::uint64_t, 128> table{};

@@ -16,8 +16,8 @@ namespace laplacian_lines {
 /// CAD programs leave 1e-15 where faces meet.
 constexpr double kZeroShare = 0x1p-46;
 
-/// For each position the first equal one; non-finite ones equal only themselves. Zero is told by
-/// the vertices that the triangles use: others may be anywhere.
+/// For each position the first equal one; non-finite ones equal only themselves. What counts as
+/// zero is told by the vertices that the triangles use: others may be anywhere.
 inline std::vector<std::uint32_t> first_equal_positions(
     const std::vector<Eigen::Vector3d>& positions, const std::vector<Triangle>& triangles) {
     const double least =
@@ -42,8 +42,8 @@ inline std::vector<std::uint32_t> first_equal_positions(
 }
 
 /// For each triangle the first one with the same corners; normal_form(triangle) is the same for
-/// equal ones: std::sort of the corners, or their turn, which tells triangles that face opposite
-/// ways.
+/// equal ones: their corners sorted, or turned to begin with the smallest, which tells triangles
+/// that face opposite ways apart.
 template <class NormalForm>
 std::vector<std::uint32_t> first_equal_triangles(const std::vector<Triangle>& triangles,
                                                  NormalForm normal_form) {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/flat_faces.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "mesh/corner_normals.h"
 #include "system/disjoint_sets.h"
 #include "system/parallel.h"
@@ -15,8 +12,8 @@ namespace {
 // faces, but 0.54 if they are as flat as a lens; housings and plates have from 0.40 on.
 constexpr double kLargeFace = 0.02, kShareOfLarge = 0.33;
 
-// Least share of a face's area that is left of the sum of its area vectors: neighbours within .1°
-// may turn by more together. That of a cylinder's part that turns by 2° to each side, or of two
+// Least length of the sum of a flat face's area vectors, in its area: neighbours within .1° may
+// turn by more together. This is that of a cylinder's part that turns by 2° to each side, or of two
 // planes that meet at 2°.
 constexpr double kFlatShare = 0.9998;
 
@@ -65,8 +62,8 @@ FlatFaces flat_faces(const PreparedMesh& mesh, const CornerTable& sides) {
 
 std::vector<FaceShape> face_shapes(const PreparedMesh& mesh, const CornerTable& sides,
                                    const FlatFaces& faces) {
-    // by first triangle: normals times areas, twice; whether an edge is not sharp; whether a
-    // corner's normal is not the face's, or may not be, where normals are those of a scan
+    // by first triangle: the sum of area vectors; whether an edge is not sharp; whether a corner's
+    // normal is not the face's, or may not be, where normals are those of a scan
     std::vector<Eigen::Vector3d> vectors(faces.face_of.size(), Eigen::Vector3d::Zero());
     std::vector<std::uint8_t> goes_on(faces.face_of.size()), bends(faces.face_of.size(), 1);
     for (std::uint32_t t = 0; t < faces.face_of.size(); ++t)

@@ -10,11 +10,11 @@
 
 namespace laplacian_lines {
 
-/// CAD meshes have more than this share of the area in flat faces of several triangles; it is that
-/// of even triangles of whose edges a tenth is flat, 1 − 0.9³. Scans and voxels of smooth forms
-/// have up to 0.24, machined parts and lofts 0.29 and more.
+/// Meshes with more than this share of the area in flat faces of several triangles are CAD meshes;
+/// even triangles of whose edges a tenth is flat have it, 1 − 0.9³. Scans and voxels of smooth
+/// forms have up to 0.24, machined parts and lofts 0.29 and more.
 constexpr double kCadShare = 0.27;
-/// So do those with more than this share in triangles ten times as long as high, of strips over
+/// So are those with more than this share in triangles ten times as long as high, of strips over
 /// curved faces: 110 scans have up to 0.11, five CAD meshes with few flat faces 0.20 and more.
 constexpr double kNarrowShare = 0.15, kNarrow = 10;
 

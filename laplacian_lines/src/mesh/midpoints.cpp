@@ -49,7 +49,7 @@ public:
           is_done_(triangles.size(), 0) {}
 
     /// On flat parts, where several cuts are possible, triangles are skipped at first. They are
-    /// reached from a vertex that is farthest to one side, as each surface has: that is no
+    /// reached from others: a vertex that is farthest to one side, as each surface has, is no
     /// middle.
     bool run() {
         for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
@@ -181,10 +181,7 @@ void undo_subdivisions(TriangleMesh& mesh) {
     if (mesh.triangles.size() % 4 != 0) return;
     std::vector<Triangle> triangles =
         with_places(mesh.triangles, first_equal_positions(mesh.positions, mesh.triangles));
-    const auto is_degenerate = [](const Triangle& t) {
-        return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-    };
-    if (std::any_of(triangles.begin(), triangles.end(), is_degenerate)) return;
+    if (!std::all_of(triangles.begin(), triangles.end(), has_three_corners)) return;
     const double longest =
         kLongestEdge * bounding_box(mesh.positions, triangles).diagonal().stableNorm();
     for (double edge = mean_edge(mesh.positions, triangles);

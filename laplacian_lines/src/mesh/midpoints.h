@@ -8,7 +8,7 @@ namespace laplacian_lines {
 /// Undoes midpoint subdivisions: while all triangles, their corners welded, are quarters of larger
 /// ones, cut at the middles of their sides within the rounding of floats, replaces them by these,
 /// in the order of their first quarters. Forms of a few large triangles were subdivided for a
-/// reason and stay. Most meshes are told at once.
+/// reason and stay. Other meshes take little time.
 void undo_subdivisions(TriangleMesh& mesh);
 
 }  // namespace laplacian_lines

@@ -47,10 +47,6 @@ bool is_needle(const Positions& positions, const Triangle& t) {
     return height < kNeedle && height < kSlender * std::sqrt(longest_squared(positions, t));
 }
 
-bool has_three_corners(const Triangle& t) {
-    return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
-}
-
 std::uint32_t third_of(const Triangle& t, const Edge& edge) {
     return *std::find_if(t.begin(), t.end(),
                          [&](std::uint32_t v) { return v != edge[0] && v != edge[1]; });

@@ -9,7 +9,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <map>
 #include <utility>
 
@@ -23,7 +22,7 @@ namespace {
 using Eigen::Vector3d;
 
 // A closed surface has holes of at most these borders, and a volume.
-constexpr double kMostBordersOfHoles = 0.02;  // share of the edges; one of many triangles is none
+constexpr double kMostBordersOfHoles = 0.02;  // share of the edges
 constexpr double kMostOpen = 0.1;             // |Σ area vectors| / area
 // 3 volume / (area · diagonal of its box), below which the inside is uncertain; plates without
 // holes are thin.
@@ -34,9 +33,9 @@ constexpr std::uint32_t kNone = 0xffffffffu;
 struct Component {
     Eigen::AlignedBox3d box;
     Vector3d area_vectors = Vector3d::Zero();
-    double area = 0, flipped_area = 0;  // twice
-    double volume = 0;                  // six times, of the cones from the origin
-    std::size_t sides = 0, borders = 0;
+    double area = 0, flipped_area = 0;   // twice
+    double volume = 0;                   // six times, of the cones from the origin
+    std::size_t sides = 0, borders = 0;  // borders: of one triangle, not of three or more
     bool is_orientable = true, is_closed = false, is_flipped = false;
     std::vector<std::uint32_t> around = {};  // closed ones that it lies in
 
@@ -60,7 +59,7 @@ struct Component {
     }
 
     void decide() {
-        // of the cones from its middle, where little depends on holes
+        // now of the cones from the box's centre, which depends little on holes
         volume -= area_vectors.dot(box.center());
         const bool is_whole = borders == 0;
         is_closed = is_orientable &&
@@ -168,9 +167,8 @@ public:
         for (Component& component : components_)
             component.decide();
         if (components_.size() > 1 &&
-            std::any_of(components_.begin(), components_.end(), [](const Component& component) {
-                return component.is_closed && component.is_flipped;
-            })) {
+            std::any_of(components_.begin(), components_.end(),
+                        [](const Component& component) { return component.is_flipped; })) {
             Nesting(mesh_, component_of_, components_).find();
             flip_together(components_);
         }

@@ -15,15 +15,15 @@ namespace {
 // Share of the area in triangles with a side of more than 3 mean edges: segmented volumes have
 // none, decimated to a quarter .26; CAD meshes that look like them .54 and more.
 constexpr double kLongSide = 3, kMostUneven = 0.4;
-// Faces between voxels have 13 directions, of sides, edges and corners of a cube. That is of .93 of
-// the area, decimated to a quarter .64; of three CAD meshes with terraces by mistake .04, .05, .71.
+// Faces of voxels have 13 directions, of sides, edges and corners of a cube. These have .93 of the
+// area, decimated to a quarter .64; of three CAD meshes with terraces by mistake .04, .05, .71.
 constexpr int kDirections = 13;
 constexpr double kLeastOfVoxels = 0.5, kSameDirection = 0.9994;  // cosine of 2°
 // Share of the area in triangles longer than the kernel, from which a mesh is a Design: seventy CAD
 // parts have .71 and more, spheres and tori of even quadrilaterals none.
 constexpr double kCoarseShare = 0.5;
 
-/// Of the area, that of triangles with a longer side.
+/// The share of the area in triangles with a side of more than this length.
 double share_of_long(const PreparedMesh& mesh, double length) {
     const auto area = [&](std::size_t t) { return area_vector(mesh, mesh.triangles[t]).norm(); };
     const auto is_long = [&](std::size_t t) {
@@ -37,9 +37,8 @@ double share_of_long(const PreparedMesh& mesh, double length) {
 /// Whether flat faces are those of voxels, also of turned and decimated volumes.
 bool are_of_voxels(const FlatFaces& flat) {
     if (flat.are_large()) return false;
-    std::vector<std::uint32_t> rest;
-    for (std::uint32_t t = 0; t < flat.face_of.size(); ++t)
-        if (flat.face_of[t] == t) rest.push_back(t);
+    auto rest =
+        numbers_where(flat.face_of.size(), [&](std::uint32_t t) { return flat.face_of[t] == t; });
     std::sort(rest.begin(), rest.end(), [&](std::uint32_t a, std::uint32_t b) {
         return std::pair(-flat.areas[a], a) < std::pair(-flat.areas[b], b);
     });

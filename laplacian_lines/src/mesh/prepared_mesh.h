@@ -58,7 +58,7 @@ inline Facing facing_of(const MeshReport& report) {
 /// The vertices keep the input's order. @throws Error: InvalidMesh, EmptyMesh.
 PreparedMesh prepare_mesh(const TriangleMesh& mesh, Cuts cuts, Facing facing);
 
-/// Without the mean edge and the origin.
+/// Without mean_edge, known_edge, origin and MeshReport::coordinate_step.
 PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, Facing facing);
 
 /// Builds them if they are missing.

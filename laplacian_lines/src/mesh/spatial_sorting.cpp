@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The order of memory:
+// The order in memory:
 //  1. Vertices follow the tree.
 //  2. Triangles follow their smallest vertex.
 //  3. Each vertex gets its mass, a third of the area of the triangles around it.
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <utility>
 
+#include "mesh/conforming.h"
 #include "mesh/prepared_mesh.h"
 #include "mesh/vertex_ranges.h"
 #include "system/buckets.h"
@@ -67,10 +69,7 @@ SpatialTree sort_in_space(PreparedMesh& mesh) {
     for_each_element(order.size(), [&](std::size_t i) { place[order[i]] = std::uint32_t(i); });
     permute(mesh.positions, order);
     permute(mesh.original_vertex, order);
-    for_each_element(mesh.triangles.size(), [&](std::size_t t) {
-        for (std::uint32_t& v : mesh.triangles[t])
-            v = place[v];
-    });
+    mesh.triangles = with_places(std::move(mesh.triangles), place);
     sort_triangles(mesh);
     find_masses(mesh);
     return tree;

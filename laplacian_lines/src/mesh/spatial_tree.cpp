@@ -32,8 +32,7 @@ struct alignas(16) Item {
 };
 
 std::vector<Item> make_items(const std::vector<Eigen::Vector3d>& points) {
-    const Eigen::AlignedBox3d box = bounding_box(
-        points.size(), [&](std::size_t i) -> const Eigen::Vector3d& { return points[i]; });
+    const Eigen::AlignedBox3d box = bounding_box(points);
     const double size = box.sizes().maxCoeff(), steps = size > 0 ? 2147483647 / size : 0;
     std::vector<Item> items = large_array<Item>(points.size());
     for_each_element(points.size(), [&](std::size_t i) {

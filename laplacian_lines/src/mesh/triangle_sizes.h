@@ -10,6 +10,10 @@
 
 namespace laplacian_lines {
 
+inline bool has_three_corners(const Triangle& t) {
+    return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+}
+
 /// Twice the area of a triangle times its unit normal.
 inline Eigen::Vector3d area_vector(const std::vector<Eigen::Vector3d>& positions,
                                    const Triangle& t) {
@@ -17,7 +21,7 @@ inline Eigen::Vector3d area_vector(const std::vector<Eigen::Vector3d>& positions
     return (positions[t[1]] - a).cross(positions[t[2]] - a);
 }
 
-/// The square of its longest side.
+/// The square of a triangle's longest side.
 inline double longest_squared(const std::vector<Eigen::Vector3d>& positions, const Triangle& t) {
     double longest = 0;
     for (std::size_t k = 0; k < 3; ++k)
@@ -25,7 +29,7 @@ inline double longest_squared(const std::vector<Eigen::Vector3d>& positions, con
     return longest;
 }
 
-/// Above the longest side; 0 if that has no length.
+/// A triangle's height above its longest side; 0 if that has no length.
 inline double height_of(const std::vector<Eigen::Vector3d>& positions, const Triangle& t) {
     const double longest = std::sqrt(longest_squared(positions, t));
     return longest > 0 ? area_vector(positions, t).norm() / longest : 0;

@@ -15,7 +15,7 @@ constexpr double kQuickError = 8e-5;  ///< of a quick Gaussian, relative
 
 /// Weight by the cosine between two normals ("Skip Opposite Sheet"): 1 for equal ones, 1/2 at a
 /// right angle, 0 for opposite ones, flat at both ends, so that smooth surfaces keep their Δn up to
-/// second order in h|A|². A polynomial, so that it can be summed over a grid as moments of the
+/// second order in h‖S‖². A polynomial, so that it can be summed over a grid as moments of the
 /// normals.
 inline double facing_weight(double cosine) {
     return (1 + cosine) * (1 + cosine) * (2 - cosine) / 4;
@@ -42,8 +42,8 @@ struct GaussianSums {
 };
 
 /// Direct summation in float, relative error about 1e-6 (kQuickError if quick) before the cutoff
-/// truncates: positions and normals are relative to those of a leaf. `mesh` is
-/// sorted in space by `tree`.
+/// truncates: positions and normals are relative to those of a leaf. `tree` is what sort_in_space()
+/// returned for the mesh.
 GaussianSums gaussian_sums(const PreparedMesh& mesh, const SpatialTree& tree,
                            const std::vector<Eigen::Vector3d>& normals,
                            const GaussianKernel& kernel, const StageProgress& stage);

@@ -49,7 +49,8 @@ private:
     GridNode* first_node_ = nullptr;
 };
 
-constexpr int kMaxReach = 16;  ///< blocks that a convolution may reach to either side
+/// Blocks that a convolution may reach to either side: the finest grid_resolution() takes 12.
+constexpr int kMaxReach = 16;
 
 /// Convolves masses on a grid with one kernel, along x and y inside slabs and along z across them,
 /// in the blocks that can be reached and that the targets need.

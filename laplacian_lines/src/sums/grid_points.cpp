@@ -21,8 +21,7 @@ std::size_t block_of(const GridGeometry& grid, const Eigen::Array3i& node) {
 
 GridGeometry::GridGeometry(const std::vector<Eigen::Vector3d>& points, double cell)
     : cell(cell), per_cell(1 / cell) {
-    const Eigen::AlignedBox3d box = bounding_box(
-        points.size(), [&](std::size_t i) -> const Eigen::Vector3d& { return points[i]; });
+    const Eigen::AlignedBox3d box = bounding_box(points);
     // With half a cell more than needed, for rounding.
     origin = box.min() - Eigen::Vector3d::Constant(2.5 * cell);
     // Slabs across the longest axis are small, and few of them are in memory.
@@ -46,7 +45,7 @@ GridPoints::GridPoints(const GridGeometry& grid, const std::vector<Eigen::Vector
     for (std::size_t b = 0; b < reached_.size(); ++b)
         for (int part = 0; part < 8 && starts_[b + 2] > 0; ++part)
             reached_[b + grid.step_to(part)] = 1;
-    // until they are filled in, the start of a block is at the place of the next one
+    // until points are filled in, the start of a block is at the place of the next one
     std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
     for (std::size_t i = 0; i < positions.size(); ++i)
         order_[starts_[block[i] + 1]++] = std::uint32_t(i);

@@ -16,8 +16,9 @@ namespace laplacian_lines {
 struct GridGeometry {
     GridGeometry(const std::vector<Eigen::Vector3d>& points, double cell);
 
-    /// A point's mass goes to the nodes from floor − 1 to floor + 2 along each axis; its value
-    /// comes from floor − 2 to floor + 2 of a second grid, half a cell further on.
+    /// A point's place along the grid's axes. Its mass goes to the nodes from floor − 1 to floor +
+    /// 2 along each; its value comes from floor − 2 to floor + 2 of a second grid, half a cell
+    /// further on.
     Eigen::Vector3d in_cells(const Eigen::Vector3d& p) const {
         const Eigen::Vector3d cells = (p - origin) * per_cell;
         return {cells[axes[0]], cells[axes[1]], cells[axes[2]]};
@@ -27,6 +28,7 @@ struct GridGeometry {
         return in_cells(p).array().cast<int>() - 2;  // none is negative
     }
     std::size_t sites() const { return std::size_t(blocks[0]) * std::size_t(blocks[1]); }
+    /// A double, since tiny cells may make more than integers hold.
     double block_count() const { return double(blocks[0]) * blocks[1] * blocks[2]; }
     /// From a block's number to that of the block that a part of its points' box lies in: bits 0, 1
     /// and 2 of `part` are for the next one along x, y and z.
@@ -36,8 +38,8 @@ struct GridGeometry {
     }
 
     Eigen::Vector3d origin;
-    double cell, per_cell;
-    int axes[3];  ///< the space's axes along x, y and z of the grid: z is the longest
+    double cell, per_cell;  ///< a cell's side, local units, and its inverse
+    int axes[3];            ///< the space's axes along x, y and z of the grid: z is the longest
     int blocks[3];
 };
 

@@ -38,7 +38,7 @@ static inline Floats exp2_exactly(Floats x) {
 }
 
 /// 2^x / kQuickFactor for an argument x · 2^23, |x| < 120; relative error 8e-5 of alternating sign.
-/// Additions bound the sums, so x is split by a conversion.
+/// Additions limit the speed of the sums, so x is split by a conversion.
 static inline Floats quick_exp2(Floats x) {
     const Ints fixed = __builtin_convertvector(x, Ints);
     const Floats m = (Floats)((fixed & 0x7fffff) | 0x3f800000);  // 1 + the fraction

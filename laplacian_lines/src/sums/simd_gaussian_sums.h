@@ -26,7 +26,7 @@ struct GaussianTargets {
     float facing;  ///< 1: times facing_weight(n_q·n_p); 0: not
 };
 
-/// Of q − p and n_q − n_p.
+/// Σ w, Σ w (q − p) and Σ w (n_q − n_p), by target.
 struct GaussianLaneSums {
     alignas(64) float mass[kTargets], moment[3][kTargets], normal[3][kTargets];
 };
@@ -36,8 +36,8 @@ struct GaussianLoops {
     /// Sums all sources for each target.
     void (*sum)(const GaussianTargets& targets, const GaussianSource* sources,
                 std::size_t source_count, GaussianLaneSums& sums);
-    /// With errors of kQuickError, for targets within kQuickRadius √h of the leaf's centre: so far
-    /// quick_exp2() can be masked where it leaves its range.
+    /// With errors of kQuickError, for targets within kQuickRadius √h of the group's centre: up to
+    /// there, what quick_exp2() makes of exponents beyond its range can be masked out.
     void (*sum_quickly)(const GaussianTargets& targets, const GaussianSource* sources,
                         std::size_t source_count, GaussianLaneSums& sums);
 };

@@ -107,7 +107,7 @@ static void interpolate(const GridNode* corner, const CellPlace& place, PointSum
     }
 }
 
-/// Of the four nodes along an axis that are a row.
+/// The first of the four nodes of a row along an axis, 0 <= row < 16.
 static inline int row_begin(int axis, int row) {
     return axis == 0 ? 4 * row : axis == 1 ? 16 * (row / 4) + row % 4 : row;
 }

@@ -31,7 +31,7 @@ struct ConvolutionInput {
     const GridNode* const* blocks;  ///< null: all zero
     int count;
     const float* taps;  ///< taps[d]: from node i to i − d; valid for |d| <= 4 (count / 2) + 3
-    int axis;
+    int axis;           ///< 0, 1, 2: along x, y, z
 };
 
 /// See simd_sets.h.
@@ -42,7 +42,7 @@ struct GridLoops {
     /// Interpolates by quartic B-splines from the 5 x 5 x 5 nodes from `corner` on in such a box.
     void (*interpolate)(const GridNode* corner, const CellPlace& place, PointSums& sums);
 
-    /// Computes a block.
+    /// Sets all nodes of the block `output`.
     void (*convolve)(const ConvolutionInput& input, GridNode* output);
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sums/summation_cost.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,10 +18,10 @@ constexpr double kQuick = 0.52;        // times that cost, with quick Gaussians
 constexpr double kPerVertex = 0.26;    // spreading and interpolating
 constexpr double kPerNode = 0.135;     // one tap, per cell of the surface's area
 constexpr std::size_t kSampledLeaves = 64;
-// Tables take 20 bytes a block.
+// At most so many blocks, and a million more: tables take 20 bytes a block.
 constexpr double kBlocksPerVertex = 8;
 
-constexpr double kLeastTurn = 0.01;  // a plane: Δn is about 0
+constexpr double kLeastTurn = 0.01;  // radians; below, on planes, Δn is about 0
 
 constexpr double kCostly = 3e7;  // half a minute
 
@@ -42,11 +41,11 @@ double grid_cost(const PreparedMesh& mesh, const GaussianKernel& kernel,
 GridResolution grid_resolution(double accuracy, double normal_turn) {
     const double turn = std::clamp(normal_turn, kLeastTurn, 1.0);
     GridResolution resolution;
-    // The largest error on the test meshes is 1.1e-3 cell^4.9 / turn down to 0.7 √h and falls more
-    // slowly below, which is bounded by this one; tests/core/reference_test.cpp holds it to the
-    // accuracy. Coarser cells save nothing, for spreading and interpolating cost the same.
+    // The largest error on the test meshes is 1.1e-3 cell^4.9 / turn down to cells of 0.7 √h and
+    // falls more slowly below: 1.4e-3 cell^4.7 / turn bounds both, which reference_test.cpp checks.
+    // Cells over 1.25 √h save nothing, for spreading and interpolating cost the same.
     resolution.cell = std::min(1.25, std::pow(accuracy * turn / 1.4e-3, 1 / 4.7));
-    // The share of the second moment along an axis beyond it is a quarter of the accuracy.
+    // The share of the second moment along an axis beyond the cutoff is a quarter of the accuracy.
     resolution.cutoff = 6.3 - 0.85 * std::log10(accuracy / 1e-3);
     // The terms of Δn are turn² of the summed masses, which carry a rounding error of 3e-7. Where
     // turn is about 0, no more than the default accuracy can be reached.

@@ -11,9 +11,9 @@ struct GridResolution {
     bool is_exact = true;  ///< else floats are too coarse for the accuracy
 };
 
-/// The coarsest grid that gives Δn to a relative accuracy, 1e-6..0.1. `normal_turn`: RMS of
-/// √h‖S‖, the turn of the normals within √h, about the part of the terms of Δn that does not cancel
-/// on a smooth surface.
+/// The coarsest grid that gives Δn to a relative accuracy, 1e-6..0.1. `normal_turn`: RMS of √h‖S‖,
+/// radians by which the normals turn within √h. It is about the share of the terms of Δn that does
+/// not cancel on a smooth surface.
 GridResolution grid_resolution(double accuracy, double normal_turn);
 
 /// Predicted time on one thread. The unit is a thousand pairs in the direct sum, about a

@@ -14,6 +14,7 @@ enum class Format { Ply, Stl, Obj, Off };
 
 /// By extension, without the dot, in lower case.
 std::optional<Format> format_of(std::string_view ending);
+/// Those of all formats, likewise.
 std::vector<std::string> endings();
 
 struct MeshInFile {
