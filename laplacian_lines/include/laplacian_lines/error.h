@@ -16,7 +16,8 @@ enum class ErrorCode {
     Cancelled,      ///< the progress callback asked to stop
 };
 
-/// The core throws nothing else but std::bad_alloc. what() is a sentence with what the user can do.
+/// The core throws nothing else but std::bad_alloc and what a declaration names. what() is a
+/// sentence with what the user can do.
 class Error : public std::runtime_error {
 public:
     Error(ErrorCode code, const std::string& message) : std::runtime_error(message), code_(code) {}

@@ -15,17 +15,16 @@
 
 namespace laplacian_lines {
 
-/// Depth bias of lines: how far a point is moved towards the eye before the depth test, in D; for
-/// contours at least so many mean edges, since they follow smoothed normals, beyond the triangles'
-/// horizon.
+/// Depth bias of lines: how far a point is moved towards the eye before the depth test, in D.
 constexpr double kDepthBias = 0.003;
+/// Of contours at least, in mean edges: smooth ones lie behind the triangles' horizon.
 constexpr double kContourDepthBias = 1.5;
 
 /// The mean edge for depth_bias(), mesh units: larger where normals are smoothed more than
 /// usual; 0 where contours follow the edges of the mesh, as on coarse ones.
 double depth_bias_edge(const Field& field);
 
-/// In the unit of `diagonal` and `depth_bias_edge`, see there.
+/// In the unit of `diagonal` and of `depth_bias_edge`, which is that of depth_bias_edge().
 inline double depth_bias(LineKind kind, double diagonal, double depth_bias_edge) {
     const double beyond = kind == LineKind::Contour ? kContourDepthBias * depth_bias_edge : 0;
     return beyond > kDepthBias * diagonal ? beyond : kDepthBias * diagonal;

@@ -20,8 +20,8 @@ struct TriangleMesh {
     /// [V], or empty. Unit normals for precompute(), outward; where 0, and if empty, those of the
     /// triangles count.
     std::vector<Eigen::Vector3d> normals = {};
-    /// Of refined() meshes, 0 of others: the mean edge, the roughness and the number of vertices,
-    /// which come first, of the mesh before. Options in mean edges are in that one.
+    /// Of refined() meshes, 0 of others: the mean edge (mesh units), the roughness and the number
+    /// of vertices, which come first, of the mesh before. Options in mean edges count in that edge.
     double known_edge = 0;
     double known_roughness = 0;
     std::size_t known_vertices = 0;

@@ -11,8 +11,8 @@ namespace laplacian_lines {
 struct View {
     Eigen::Vector3d eye = Eigen::Vector3d::UnitZ();
     double w = 0;
-    /// Towards a directional light, any length; without one the light sits at the eye. Only changes
-    /// Laplacian lines, which are then the zeros of Δn·d, exactly.
+    /// Towards a directional light, d, any length; without one the light sits at the eye. Changes
+    /// photic extremum lines and Laplacian lines, which are then the zeros of Δn·d, exactly.
     std::optional<Eigen::Vector3d> light = std::nullopt;
 
     /// A camera at the given position.

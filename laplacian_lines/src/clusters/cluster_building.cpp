@@ -9,7 +9,6 @@
 //     extractor_data.cpp.
 #include "clusters/cluster_building.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -91,13 +90,12 @@ private:
                 .norm();
         });
         const std::vector<Triangle>& triangles = mesh_.triangles;
-        const bool is_manifold = 2 * sides.edge_count() == sides.side_count();
         if (borders > 0) {
             const double area = sum_of(triangles.size(), [&](std::size_t t) {
                 return area_vector(mesh_, triangles[t]).norm() / 2;
             });
             data_.is_sheet = borders > kLeastSheetBorders * std::sqrt(area);
-        } else if (is_manifold) {
+        } else if (2 * sides.edge_count() == sides.side_count()) {  // two triangles an edge
             const double volume = sum_of(triangles.size(), [&](std::size_t t) {  // six times
                 return mesh_.positions[triangles[t][0]].dot(area_vector(mesh_, triangles[t]));
             });
@@ -158,7 +156,6 @@ private:
                 local_shape_operator(v)};
     }
 
-    /// Lists the cluster's vertices with their values.
     void list_vertices(std::size_t c, Values& values) {
         const ClusterRange& range = partition_.ranges[c];
         std::uint32_t* vertices =

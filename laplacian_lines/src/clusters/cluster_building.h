@@ -13,7 +13,7 @@ namespace laplacian_lines {
 // Whatever a caller's field holds, floats can take powers of what is kept of it.
 constexpr double kLargestCurvature = 1e8;  ///< S·D
 
-/// Within ±limit; what is not a number is 0.
+/// Within ±limit; what is not a number is 0. Vectors are multiplied by the factor before.
 inline double bounded(double x, double limit) {
     return std::isnan(x) ? 0 : std::clamp(x, -limit, limit);
 }

@@ -36,7 +36,7 @@ struct VertexRecord {
 };
 static_assert(sizeof(VertexRecord) == kCacheUnit, "a vertex record is one cache unit");
 
-/// What kinds of lines that need S̄ and C read of a vertex, local, as rows of four: likewise.
+/// What kinds of lines that need S̄ and C read of a vertex: likewise local, rows of four.
 struct alignas(kCacheUnit) CurvatureRecord {
     float position[4], normal[4];  ///< and 0
     float curvature[4];            ///< S̄·D as in the field, and 0

@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 
 #include "clusters/cluster_data.h"
 #include "system/large_array.h"
@@ -50,9 +49,9 @@ private:
     std::vector<std::uint32_t> number_, used_;
 };
 
-/// Whether a redraw goes on from a triangle to the next without an edge's number: within a cluster,
-/// one orientation. Else lines are joined at the number.
-bool goes_on_within(const PreparedMesh& mesh, std::uint32_t side, std::uint32_t across) {
+/// Whether the triangles of two sides at an edge have one orientation: then a redraw goes on from
+/// one to the other within a cluster. Else lines are joined at the edge's number.
+bool have_one_orientation(const PreparedMesh& mesh, std::uint32_t side, std::uint32_t across) {
     return begin_of(mesh.triangles, side) != begin_of(mesh.triangles, across);
 }
 
@@ -132,7 +131,7 @@ private:
             });
     }
 
-    /// Unless the triangles exceed a cluster's numbers of vertices or of numbers.
+    /// Makes the range a cluster, unless it has too many vertices or numbers, see kClusterNumbers.
     bool becomes_cluster(const Range& range, LocalNumbers& numbers) {
         const auto [begin, end] = range;
         std::uint32_t* order = result_.order.data();
@@ -154,7 +153,7 @@ private:
         return true;
     }
 
-    /// How many numbers, see kClusterNumbers, a cluster may take.
+    /// How many numbers a cluster takes at most: borders are counted, although they have none.
     unsigned count_numbers(const Range& range) const {
         unsigned numbers = range.size();
         for (std::uint32_t i = range.begin; i < range.end; ++i)
@@ -162,12 +161,12 @@ private:
                 const std::uint32_t across = sides_.across(side);
                 if (across == CornerTable::kMany) continue;
                 numbers += across == CornerTable::kBorder || !is_in(range, across / 3) ||
-                           !goes_on_within(mesh_, side, across);
+                           !have_one_orientation(mesh_, side, across);
             }
         return numbers;
     }
 
-    /// Places that were tried before are not of these triangles any more.
+    /// The place of a triangle may be from a range tried before, and another one's by now.
     bool is_in(const Range& range, std::uint32_t triangle) const {
         const std::uint32_t place = places_[triangle].load(std::memory_order_relaxed);
         return place >= range.begin && place < range.end && result_.order[place] == triangle;
@@ -200,7 +199,7 @@ ClusterLinks link_clusters(const PreparedMesh& mesh, const CornerTable& sides,
             const std::uint32_t across = sides.across(side),
                                 triangle = partition.places[across / 3];
             if (triangle >= range.begin && triangle < range.end &&
-                goes_on_within(mesh, side, across))
+                have_one_orientation(mesh, side, across))
                 links.across[place] = triangle;
             else if (const std::uint32_t other = 3 * triangle + across % 3; place < other)
                 links.across[place] = links.across[other] =

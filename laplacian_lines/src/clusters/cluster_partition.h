@@ -30,7 +30,7 @@ Partition partition(const PreparedMesh& mesh, const CornerTable& sides);
 /// What lies across sides of triangles, by 3 place + k.
 struct ClusterLinks {
     static constexpr std::uint32_t kNobody = 0xffffffffu;  ///< lines end there
-    static constexpr std::uint32_t kNumber = 0x80000000u;  ///< and the number of an edge
+    static constexpr std::uint32_t kNumber = 0x80000000u;  ///< plus the number of an edge
 
     std::vector<std::uint32_t> across;  ///< a place in the cluster, a number or kNobody
     std::uint32_t number_count = 0;     ///< of edges at which lines are joined, over the mesh

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "clusters/coarseness.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

@@ -53,12 +53,11 @@ EdgeHorizon find_edge_horizon(const PreparedMesh& mesh, const CornerTable& sides
     for (std::uint32_t side = 0; side < sides.side_count(); ++side) {
         const std::uint32_t across = sides.across(side), from = begin_of(mesh.triangles, side);
         if (!sides.has_neighbour(side) || across < side) continue;
-        EdgeHorizon::Edge edge = {
-            {from, end_of(mesh.triangles, side)}, {side / 3, across / 3}, false, false};
-        edge.is_reversed = from == begin_of(mesh.triangles, across);
-        edge.is_hollow = is_body && !edge.is_reversed &&
-                         is_hollow(mesh, mesh.triangles[side / 3], mesh.triangles[across / 3]);
-        horizon.edges.push_back(edge);
+        const std::uint32_t a = side / 3, b = across / 3;
+        const bool is_reversed = from == begin_of(mesh.triangles, across);
+        const bool hides =
+            is_body && !is_reversed && is_hollow(mesh, mesh.triangles[a], mesh.triangles[b]);
+        horizon.edges.push_back({{from, end_of(mesh.triangles, side)}, {a, b}, is_reversed, hides});
     }
     return horizon;
 }

@@ -16,7 +16,7 @@ struct EdgeHorizon {
     struct Edge {
         std::uint32_t vertices[2], triangles[2];
         bool is_reversed;  ///< the two triangles are of opposite orientation
-        bool is_hollow;    ///< of a body, which hides a contour there: what faces away is before it
+        bool is_hollow;    ///< concave, of a body, which hides contours there
     };
     std::vector<Edge> edges;
     std::vector<Eigen::Vector3f> positions;  ///< by vertex

@@ -4,7 +4,6 @@
 // limits, so that no product overflows.
 #include "clusters/extractor_data.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "clusters/cluster_building.h"
@@ -17,8 +16,8 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr double kPrepared = 0.1;  // about the part of the whole time that it takes
-constexpr double kLargestLaplacian = 1e12, kLargestDerivative = 1e16;
+constexpr double kPrepared = 0.1;  // about the part of the whole time at which prepare() ends
+constexpr double kLargestLaplacian = 1e12, kLargestDerivative = 1e16;  // Δn·D², C·D²
 // Of slopes of Laplacian lines: by their own scale alone gentle forms would have none for a kernel
 // of a mean edge; by that of derivatives what is finest would have too many.
 constexpr double kOwnShare = 0.75;

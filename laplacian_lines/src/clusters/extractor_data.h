@@ -28,7 +28,7 @@ struct ExtractorData {
     /// Of the vertices of clusters; empty if the field has no derivatives.
     std::vector<CurvatureRecord> curvatures;
     std::vector<std::uint32_t> border_edges;
-    std::uint32_t border_edge_count = 0;  ///< the numbers in border_edges are below
+    std::uint32_t border_edge_count = 0;  ///< numbers in border_edges are less
     std::vector<FacingBounds> bounds;
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the bounding box, mesh units
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< of line sets

@@ -12,12 +12,12 @@
 
 namespace laplacian_lines {
 
-/// Stable.
+/// Numbers sorted into buckets, ascending in each.
 struct Buckets {
     std::vector<std::uint32_t> numbers;
     std::vector<std::uint32_t> begins;  ///< of buckets in `numbers`, and an end
 
-    /// Calls body(bucket, first, last) on several threads.
+    /// Calls body(bucket, begin, end) with the numbers of each bucket, on several threads.
     template <class Body>
     void for_each(Body body) {
         in_parallel(begins.size() - 1, [&](std::size_t bucket) {
@@ -26,7 +26,7 @@ struct Buckets {
     }
 };
 
-/// Sorts [0, count) by bucket_of(i) < `buckets`, which is called twice.
+/// Sorts the numbers i below `count` by bucket_of(i) < `buckets`, which is called twice.
 template <class BucketOf>
 Buckets sort_in_buckets(std::size_t count, std::size_t buckets, BucketOf bucket_of) {
     constexpr std::size_t kMostParts = 64;

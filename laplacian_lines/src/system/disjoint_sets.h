@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <utility>
@@ -9,15 +10,12 @@
 
 namespace laplacian_lines {
 
-/// Sets of the numbers 0.., each with its smallest as root.
+/// Sets of the numbers below n, each with its smallest as root.
 class DisjointSets {
 public:
-    explicit DisjointSets(std::size_t n = 0) : parent_(n) {
+    explicit DisjointSets(std::size_t n) : parent_(n) {
         std::iota(parent_.begin(), parent_.end(), 0u);
     }
-    std::size_t size() const { return parent_.size(); }
-
-    void add() { parent_.push_back(std::uint32_t(parent_.size())); }
 
     std::uint32_t root(std::uint32_t number) {
         while (parent_[number] != number)
@@ -29,7 +27,7 @@ public:
         const auto [smaller, larger] = std::minmax({root(a), root(b)});
         return parent_[larger] = smaller;
     }
-    /// By number; leaves the sets empty.
+    /// The root of each number; leaves the sets empty.
     std::vector<std::uint32_t> take_roots() {
         for (std::uint32_t number = 0; number < parent_.size(); ++number)
             parent_[number] = root(number);

@@ -29,7 +29,7 @@ std::vector<T> large_array(std::size_t count, const T& value) {
     return array;
 }
 
-/// Default-constructed.
+/// Default-constructed; numbers are 0.
 template <class T>
 std::vector<T> large_array(std::size_t count) {
     std::vector<T> array;

@@ -16,6 +16,8 @@
 
 namespace laplacian_lines {
 
+/// Progress of a stage of a call, which takes from `begin` to `end` of the whole, 0..1. `progress`
+/// and `name` outlive it.
 class StageProgress {
 public:
     StageProgress(const Progress& progress, double begin, double end, const char* name)
@@ -71,8 +73,7 @@ void share(std::size_t blocks, unsigned workers, Work work) {
 /// Useful number of threads for so many blocks, at least 1.
 unsigned workers_for(std::size_t blocks);
 
-/// Runs body(i, scratch) for i in [0, count) as in_parallel() does, each thread with its own
-/// Scratch.
+/// As in_parallel() of threads.h, but body(i, scratch), each thread with a Scratch of its own.
 template <class Scratch, class Body>
 void in_parallel(std::size_t count, Body body) {
     share(count, workers_for(count), [&](unsigned, Blocks& shared) {
@@ -84,8 +85,8 @@ void in_parallel(std::size_t count, Body body) {
 
 struct NoScratch {};
 
-/// The same as a step of a longer computation, `grain` at a time. Reports progress from the calling
-/// thread, and the end in any case, since that thread may have had no part in the work.
+/// The same for a step of a longer computation, `grain` numbers i at a time. Reports progress from
+/// the calling thread, and the end in any case, since that thread may have had no part in the work.
 template <class Scratch, class Body>
 void parallel_for(std::size_t count, const StageProgress& stage, Body body,
                   std::size_t grain = 16) {
@@ -109,14 +110,14 @@ void parallel_for(std::size_t count, const StageProgress& stage, Body body,
     stage.report(1);
 }
 
+/// Elements that a thread takes at once where each is little work.
 constexpr std::size_t kBlockElements = 8192;
 
 inline std::size_t block_count(std::size_t count) {
     return (count + kBlockElements - 1) / kBlockElements;
 }
 
-/// Runs body(begin, end) for blocks of kBlockElements elements of [0, count), for little work per
-/// element.
+/// Runs body(begin, end) for blocks of kBlockElements elements of [0, count).
 template <class Body>
 void in_blocks(std::size_t count, Body body) {
     in_parallel(block_count(count), [&](std::size_t i) {
@@ -188,13 +189,13 @@ T join_blocks(std::size_t count, T start, Value value, Join join) {
 
 template <class Number = double, class ValueOf>
 Number sum_of(std::size_t count, ValueOf value_of) {
-    const auto sum = [&](std::size_t begin, std::size_t end) {
+    const auto sum_of_block = [&](std::size_t begin, std::size_t end) {
         Number sum = 0;
         for (std::size_t i = begin; i < end; ++i)
             sum += value_of(i);
         return sum;
     };
-    return join_blocks(count, Number(0), sum, std::plus<>());
+    return join_blocks(count, Number(0), sum_of_block, std::plus<>());
 }
 
 /// Halves `whole` recursively, each level in parallel, until all threads have a share or parts are

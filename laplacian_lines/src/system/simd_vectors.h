@@ -51,7 +51,7 @@ static inline Vector square_root(Vector v) {
 static inline Floats absolute(Floats v) {
     return (Floats)((Ints)v & 0x7fffffff);
 }
-/// The bound for NaN.
+/// The bound for NaN, as in at_most().
 static inline Floats at_least(Floats v, float bound) {
     return v > bound ? v : Floats{} + bound;
 }
@@ -91,12 +91,10 @@ template <class Lanes>
 static inline Lanes dot(const SpaceVectors<Lanes>& a, const SpaceVectors<Lanes>& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-template <class Number, std::size_t Count>
-static inline auto load_vectors(const Number (&p)[3][Count], std::size_t lane) {
-    return SpaceVectors<decltype(load(p[0]))>{load(p[0] + lane), load(p[1] + lane),
-                                              load(p[2] + lane)};
+template <std::size_t Count>
+static inline SpaceVectors<Floats> load_vectors(const float (&p)[3][Count], std::size_t lane) {
+    return {load(p[0] + lane), load(p[1] + lane), load(p[2] + lane)};
 }
-
 template <std::size_t Count>
 static inline void store_vectors(const SpaceVectors<Floats>& v, float (&to)[3][Count],
                                  std::size_t lane) {
@@ -109,10 +107,10 @@ static inline void store_vectors(const SpaceVectors<Floats>& v, float (&to)[3][C
 
 typedef float Float4 __attribute__((vector_size(16)));
 
-static inline Float4 load4(const float* p) {
+static inline Float4 load4(const float* p) {  // aligned
     return *reinterpret_cast<const Float4*>(p);
 }
-static inline void store4(float* p, Float4 v) {
+static inline void store4(float* p, Float4 v) {  // aligned
     *reinterpret_cast<Float4*>(p) = v;
 }
 template <int A, int B, int C, int D, class Vector, std::size_t... Lanes>
@@ -164,13 +162,13 @@ static inline void split(const Floats& v, Float4 parts[kParts]) {
     __builtin_memcpy(parts, &v, sizeof v);
 }
 
-static inline void store_row(Float4 row, float* p) {
+static inline void store_row(Float4 row, float* p) {  // anywhere
     __builtin_memcpy(p, &row, sizeof(Float4));
 }
 static inline void store_columns(const Float4 columns[3], float* x, float* y, float* z) {
-    __builtin_memcpy(x, &columns[0], sizeof(Float4));
-    __builtin_memcpy(y, &columns[1], sizeof(Float4));
-    __builtin_memcpy(z, &columns[2], sizeof(Float4));
+    store_row(columns[0], x);
+    store_row(columns[1], y);
+    store_row(columns[2], z);
 }
 
 }  // namespace SIMD_SET

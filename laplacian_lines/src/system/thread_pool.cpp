@@ -39,11 +39,11 @@ struct Loop {
     Blocks blocks;
     const SharedWork& work;
     const unsigned most_helpers;
-    // Below: under the pool's lock.
+    // Changed under the pool's lock.
     unsigned helpers = 0;             // that have joined
     std::atomic<unsigned> inside{0};  // helpers that have not left
     std::exception_ptr failure;
-    Loop* next = nullptr;  // that can be joined
+    Loop* next = nullptr;  // in the list of open ones
 };
 
 class Pool {
@@ -164,7 +164,7 @@ int first_limit() {
     return threads > 0 ? threads : processor_count();
 }
 
-std::atomic<int> limit{0};  // 0: the first one
+std::atomic<int> limit{0};  // 0: that of first_limit()
 
 }  // namespace
 

@@ -17,7 +17,7 @@ namespace laplacian_lines {
 /// Edges of the mesh that are edges of the form, by edge; empty if there are none.
 using CreaseMarks = std::vector<std::uint8_t>;
 
-/// Finds the edges of a mesh along lines. Thread-safe.
+/// Finds the edges of a mesh, which outlives this, along lines. Thread-safe.
 class CreaseMarker {
 public:
     explicit CreaseMarker(const VisibilityMesh& mesh) : mesh_(mesh) {}

@@ -113,7 +113,7 @@ bool EdgeOnFaces::cover(const Edges& edges, std::uint32_t other) const {
     for (const std::uint32_t edge : edges)
         parts.push_back(std::minmax({span.dot(at(edge, 0) - a), span.dot(at(edge, 1) - a)}));
     std::sort(parts.begin(), parts.end());
-    const double touch = EyeFrame::turn() * span.norm();  // of edges seen end-on
+    const double touch = EyeFrame::turn() * span.norm();  // gaps of edges seen end-on
     double covered = 0;
     for (const auto& [low, high] : parts)
         if (low <= covered + touch) covered = std::max(covered, high);

@@ -18,7 +18,7 @@ public:
     /// A perspective eye looks towards the centre of the mesh, or away from it.
     EyeFrame(const VisibilityMesh& mesh, const View& view, bool looks_away = false);
 
-    /// Rad.
+    /// By how much the eye is turned, rad.
     static double turn();
 
     bool has_perspective() const { return has_perspective_; }
@@ -27,7 +27,7 @@ public:
     Eigen::Vector3d towards_eye(const Eigen::Vector3d& local) const {
         return has_perspective_ ? Eigen::Vector3d((eye_ - local).stableNormalized()) : back_;
     }
-    /// Distance along the axis of a perspective eye, local.
+    /// Distance in front of a perspective eye, along its axis, local.
     double depth(const Eigen::Vector3d& local) const { return back_.dot(eye_ - local); }
 
     /// Projects to the picture, z growing towards the eye. In perspective z = 1 / depth, so that
@@ -45,7 +45,7 @@ constexpr double kLeastDepth = 1e-5;
 /// Whether all of a mesh is before the eye.
 bool is_before_eye(const VisibilityMesh& mesh, const EyeFrame& frame);
 
-/// Clipped at kLeastDepth; local.
+/// The mesh clipped at kLeastDepth; local.
 TriangleMesh part_before_eye(const VisibilityMesh& mesh, const EyeFrame& frame);
 
 }  // namespace laplacian_lines

@@ -7,7 +7,6 @@
 
 #include "clusters/coarseness.h"
 #include "fixed/line_copies.h"
-#include "laplacian_lines/precompute_options.h"
 #include "mesh/orientation.h"
 #include "system/on_demand.h"
 #include "visibility/crease_marks.h"
@@ -68,7 +67,7 @@ void find_lines_in_front(const VisibilityMesh& mesh, const EyeFrame& frame,
     std::uint32_t first_node = 0;  // nodes of the two halves differ
     for (const ViewLine& line : seen)
         for (const ViewLinePoint& point : line.points)
-            first_node = std::max(first_node, point.node + 1);
+            first_node = std::max(first_node, point.node + 1);  // 0 after kNoNode
     for (ViewLine& line : find_visible_lines(before, CreaseMarker(before), frame, lines, options,
                                              stage.part(0.5, 1))) {
         for (ViewLinePoint& point : line.points)

@@ -12,7 +12,7 @@
 
 namespace laplacian_lines {
 
-/// A box of points in the picture, rounded outwards to floats.
+/// A box of points in the picture, rounded outwards to floats: 2e-7 is more than two roundings.
 template <int Dim>
 Eigen::AlignedBox<float, Dim> box_outside(const Eigen::AlignedBox<double, Dim>& box) {
     const auto wider = [](const Eigen::Matrix<double, Dim, 1>& corner, float sign) {
@@ -37,6 +37,7 @@ public:
 
     const VisibilityMesh& mesh() const { return mesh_; }
     const EyeFrame& frame() const { return frame_; }
+    /// Its place in the picture, as of EyeFrame::project().
     const Eigen::Vector3d& vertex(std::uint32_t vertex) const { return places_[vertex]; }
 
     /// On which side of an edge, from its first vertex to its second, its triangle lies: 1 left, −1
@@ -45,14 +46,14 @@ public:
         return side.is_reversed ? -facing_[side.triangle] : facing_[side.triangle];
     }
 
-    /// All triangles of the edge are on one side of it.
+    /// Whether all triangles of an edge are on one side of it.
     bool is_contour(std::uint32_t edge) const;
 
     /// Orientation of c to the line from a to b: 1 left of it or on it, −1 right of it. Exchanging
     /// a and b changes the sign.
     static int turn(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
-    /// The change of z from there over a small local `distance` towards the eye.
+    /// By how much z grows over a small local distance towards the eye, from this z on.
     double rise_of(double distance, double z) const {
         return frame_.has_perspective() ? distance * z * z : distance;
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where segments cross in the picture: a tree of boxes finds those near each dividing segment, and
 // a crossing is decided by the orientation of the four ends, so that it is there for both or for
-// none. What lies in front of the dividing segment is not divided, nor what it does not touch if it
-// has surface on both sides.
+// none. Lines in front of the dividing segment are not divided; of two segments with surface on
+// both sides, neither is unless they touch.
 #include "visibility/visibility_pieces.h"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kGrain = 512;
+    static constexpr std::size_t kGrain = 512;  // segments
 
     Box box_of(std::uint32_t segment) const {
         const VisibilitySegment& s = all_.segments[segment];
@@ -88,9 +88,9 @@ private:
             Picture::turn(a, b, c) == Picture::turn(a, b, e))
             return;
         const double t = share_of(a, b, c, e), u = share_of(c, e, a, b);
-        const double before = a.z() + t * (b.z() - a.z()) - c.z() - u * (e.z() - c.z());
-        if (s.edge == VisibilitySegment::kNone && before > room) return;
-        if (must_meet && std::abs(before) > room) return;
+        const double in_front = a.z() + t * (b.z() - a.z()) - c.z() - u * (e.z() - c.z());
+        if (s.edge == VisibilitySegment::kNone && in_front > room) return;
+        if (must_meet && std::abs(in_front) > room) return;
         found.push_back({{i, k}, {t, u}});
     }
 

@@ -72,6 +72,7 @@ struct Heights {
         if (std::abs(signs[0]) + std::abs(signs[1]) + std::abs(signs[2]) != 1) return 3;
         return signs[0] != 0 ? 0 : signs[1] != 0 ? 1 : 2;
     }
+    /// Whether the triangle goes through the plane, or has a side in it.
     bool reach_across() const { return are_on_both_sides() || single_corner() != 3; }
 };
 
@@ -137,6 +138,7 @@ private:
         }
     }
 
+    /// For a triangle with a side in the plane of another one.
     static void add_along_edge(const Triangle& corners, const Heights& heights,
                                std::uint32_t in_plane, FoundCut cut, Found& found) {
         const std::size_t k = heights.single_corner();
@@ -146,6 +148,7 @@ private:
             {edge_between(corners[(k + 1) % 3], corners[(k + 2) % 3]), heights.signs[k], cut});
     }
 
+    /// What the triangles' segments along both planes share; false if that is a point or nothing.
     bool find_cut(std::uint32_t t, const Heights& of_t, std::uint32_t other,
                   const Heights& of_other, const Vector3d& direction, FoundCut& cut) const {
         std::array<CutEnd, 2> ends_of_t, ends_of_other;

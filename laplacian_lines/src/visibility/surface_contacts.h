@@ -35,7 +35,7 @@ struct SurfaceContacts {
 /// Two triangles intersect if both have corners on both sides of the other's plane, farther off
 /// than the precision, or if one has an edge in it with triangles on both sides; the cut then has
 /// only the other, twice. Else they touch. Ends of cuts that are no corners become new vertices,
-/// each on an edge. @throws Error(Cancelled)
+/// each on an edge. Also sets mesh.along_curve. @throws Error(Cancelled)
 SurfaceContacts find_surface_contacts(VisibilityMesh& mesh, const StageProgress& stage);
 
 /// Sets edges, sides and bodies of a mesh: sides of triangles and cuts are divided at the vertices

@@ -38,7 +38,7 @@ public:
 
 private:
     const std::vector<Eigen::Vector3d>& positions_;
-    double step_;
+    double step_;  // about as far apart as vertices of a surface: long boxes would hold many
     BoxTree<3> tree_;
 };
 

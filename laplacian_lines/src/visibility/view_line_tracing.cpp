@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "fixed/line_smoothing.h"
 #include "fixed/piece_graph.h"
@@ -29,10 +30,7 @@ public:
     /// Of edges, or of lines on the surface.
     ViewLineTracer(const VisibilitySegments& all, const std::vector<VisibilityPiece>& pieces,
                    const VisibilityOptions& options, bool of_edges)
-        : all_(all),
-          options_(options),
-          of_edges_(of_edges),
-          first_crossing_(first_crossing_node(all)) {
+        : all_(all), options_(options), of_edges_(of_edges), first_crossing_(all.point_count()) {
         for (const VisibilityPiece& piece : pieces)
             if (is_wanted(piece)) pieces_.push_back(piece);
         if (of_edges && options.shortest_contour > 0) drop_short_contours();
@@ -95,10 +93,12 @@ private:
         pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(), is_short), pieces_.end());
     }
 
+    static constexpr int kOutlines = -1;
+
     /// Only pieces of one class are joined; near edges of faces seen edge-on are a class.
     int class_of(std::uint32_t half) const {
         const VisibilityPiece& piece = pieces_[half / 2];
-        if (options_.in_picture && piece.is_outline) return -1;
+        if (options_.in_picture && piece.is_outline) return kOutlines;
         const VisibilitySegment& segment = segment_of(half);
         const bool bounds_form = describe(segment.kind).bounds_form;
         if (bounds_form && !segment.divides) return 2 * int(kLineKindCount) + piece.is_hidden;
@@ -106,12 +106,14 @@ private:
         return 2 * kind + piece.is_hidden;
     }
 
-    /// In space, each of the two segments of a crossing has a node of its own.
-    std::pair<std::uint32_t, std::uint32_t> node_of(std::uint32_t half) const {
+    /// Node, segment and class: ends of pieces are linked if theirs are the same. In space, each of
+    /// the two segments of a crossing has a node of its own.
+    using Key = std::tuple<std::uint32_t, std::uint32_t, int>;
+    Key key_of(std::uint32_t half) const {
         const VisibilityPiece& piece = pieces_[half / 2];
         const std::uint32_t node = piece.nodes[half % 2];
         const bool is_in_space = node >= first_crossing_ && !options_.in_picture;
-        return {node, is_in_space ? piece.segment : 0};
+        return {node, is_in_space ? piece.segment : 0, class_of(half)};
     }
 
     /// Links the pieces of lines on the surface, which are in order.
@@ -127,19 +129,17 @@ private:
     }
 
     void link_at_nodes() {
-        std::vector<std::tuple<std::pair<std::uint32_t, std::uint32_t>, int, std::uint32_t>> halves;
+        std::vector<std::pair<Key, std::uint32_t>> halves;
         for (std::uint32_t half = 0; half < nodes_.size(); ++half)
-            halves.emplace_back(node_of(half), class_of(half), half);
+            halves.emplace_back(key_of(half), half);
         std::sort(halves.begin(), halves.end());
         std::vector<std::uint32_t> meeting;
         for (std::size_t begin = 0, end; begin < halves.size(); begin = end) {
+            const Key& key = halves[begin].first;
             meeting.clear();
-            for (end = begin;
-                 end < halves.size() && std::get<0>(halves[end]) == std::get<0>(halves[begin]) &&
-                 std::get<1>(halves[end]) == std::get<1>(halves[begin]);
-                 ++end)
-                meeting.push_back(std::get<2>(halves[end]));
-            link(meeting, std::get<1>(halves[begin]) == -1);
+            for (end = begin; end < halves.size() && halves[end].first == key; ++end)
+                meeting.push_back(halves[end].second);
+            link(meeting, std::get<int>(key) == kOutlines);
         }
     }
 
@@ -176,10 +176,8 @@ private:
     }
 
     Vector3d position(std::uint32_t half) const {
-        const VisibilitySegment& segment = segment_of(half);
-        const Vector3d &a = all_.position(segment.points[0]), &b = all_.position(segment.points[1]);
-        const double share = share_at(all_, pieces_[half / 2], int(half % 2));
-        return all_.picture.mesh().in_mesh(a + share * (b - a));
+        const double share = pieces_[half / 2].shares[half % 2];
+        return all_.picture.mesh().in_mesh(all_.position_at(segment_of(half), share));
     }
 
     ViewLinePoint point_at(std::uint32_t half) const {
@@ -190,7 +188,7 @@ private:
         const VisibilitySegments::Line& of = all_.lines[segment.line];
         const LinePoint* const a =
             &of.set->points[of.line->first + segment.points[0] - of.first_point];
-        const double share = share_at(all_, piece, int(half % 2));
+        const double share = all_.share_in_space(segment, piece.shares[half % 2]);
         // not from local coordinates, which may be coarser than the line's
         point.position = (1 - share) * of.set->position(a[0]) + share * of.set->position(a[1]);
         const auto t = float(share);
@@ -268,7 +266,7 @@ private:
     const std::uint32_t first_crossing_;
     std::vector<VisibilityPiece> pieces_;
     PieceGraph graph_;
-    std::vector<std::uint32_t> nodes_;  // of graph_, by half: end 2p and 2p + 1 of piece p
+    std::vector<std::uint32_t> nodes_;  // of graph_, by half
 };
 
 }  // namespace

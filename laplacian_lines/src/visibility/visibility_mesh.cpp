@@ -12,7 +12,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 
 #include "laplacian_lines/error.h"
 #include "mesh/bounding_box.h"

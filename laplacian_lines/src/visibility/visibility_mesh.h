@@ -39,7 +39,7 @@ struct VisibilityMesh {
     std::vector<Eigen::Vector3d> positions;
     std::vector<Triangle> triangles;
     std::vector<Edge> edges;  ///< in the order of their vertices; one more follows the last
-    std::vector<Side> sides;  ///< once each
+    std::vector<Side> sides;  ///< by edge, none twice
     /// The body of each triangle, connected by edges of two; empty if all edges have at most two.
     std::vector<std::uint32_t> bodies;
     std::vector<std::uint32_t> along_curve;  ///< numbers of triangles: see order_along_curve()

@@ -16,7 +16,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kBeside = 1e-5;  // D: a third of what the turn of the eye moves
-// Cosines of normals to the way to the eye.
+// Cosines of normals to the way to the eye: of walls seen edge-on at most, of the face at their
+// foot at least.
 constexpr double kEdgeOn = 0.05, kFacing = 0.3;
 
 /// A crossing on a segment.
@@ -53,10 +54,10 @@ bool is_foot_seen(const VisibilitySegments& all, const VisibilitySegment& segmen
     if (mesh.side_count(segment.edge) != 2) return false;
     const VisibilityMesh::Side* const sides = mesh.sides_of(segment.edge);
     const Vector3d to_eye = all.picture.frame().towards_eye(point);
-    const auto slope = [&](int i) { return std::abs(mesh.normal(sides[i].triangle).dot(to_eye)); };
-    const int wall = slope(0) < slope(1) ? 0 : 1;
+    const auto facing = [&](int i) { return std::abs(mesh.normal(sides[i].triangle).dot(to_eye)); };
+    const int wall = facing(0) < facing(1) ? 0 : 1;
     const VisibilityMesh::Side& face = sides[1 - wall];
-    if (slope(wall) > kEdgeOn || slope(1 - wall) < kFacing) return false;
+    if (facing(wall) > kEdgeOn || facing(1 - wall) < kFacing) return false;
     const Vector3d &a = all.position(segment.points[0]), &b = all.position(segment.points[1]);
     const Vector3d inwards =
         (face.is_reversed ? 1 : -1) * (b - a).cross(mesh.normal(face.triangle)).normalized();
@@ -68,12 +69,8 @@ bool is_foot_seen(const VisibilitySegments& all, const VisibilitySegment& segmen
 void decide(const VisibilitySegments& all, VisibilityPiece& piece, std::uint32_t& occluder) {
     const VisibilitySegment& segment = all.segments[piece.segment];
     const VisibilityMesh& mesh = all.picture.mesh();
-    const double t = (piece.shares[0] + piece.shares[1]) / 2;
-    const double share = all.picture.share_in_space(all.projected(segment.points[0]),
-                                                    all.projected(segment.points[1]), t);
-    const Vector3d &a = all.position(segment.points[0]), &b = all.position(segment.points[1]);
+    const Vector3d point = all.position_at(segment, (piece.shares[0] + piece.shares[1]) / 2);
     const bool is_edge = segment.edge != VisibilitySegment::kNone;
-    const Vector3d point = a + share * (b - a);
     RayHits hits = all.picture.cast_ray(point, is_edge ? mesh.sides_of(segment.edge) : nullptr,
                                         is_edge ? mesh.side_count(segment.edge) : 0,
                                         is_edge ? mesh.precision : mesh.line_precision, occluder);
@@ -116,7 +113,6 @@ void decide_runs(const VisibilitySegments& all, const std::vector<std::size_t>& 
     Eigen::AlignedBox2f bounds;
     for (std::size_t run = 0; run + 1 < runs.size(); ++run)
         bounds.extend(middle_of(all, chosen(run)));
-    // Neighbouring rays read the same memory.
     const std::vector<std::uint32_t> order = order_along_curve<2>(
         runs.size() - 1, bounds, [&](std::uint32_t run) { return middle_of(all, chosen(run)); });
     struct Occluder {
@@ -130,27 +126,17 @@ void decide_runs(const VisibilitySegments& all, const std::vector<std::size_t>& 
             for (std::size_t k = runs[run]; k < runs[run + 1]; ++k)
                 pieces[k].is_hidden = chosen(run).is_hidden;
         },
-        256);
+        256);  // rays
 }
 
 }  // namespace
-
-std::uint32_t first_crossing_node(const VisibilitySegments& all) {
-    return std::uint32_t(all.picture.mesh().positions.size() + all.line_points.size());
-}
-
-double share_at(const VisibilitySegments& all, const VisibilityPiece& piece, int end) {
-    const VisibilitySegment& segment = all.segments[piece.segment];
-    return all.picture.share_in_space(all.projected(segment.points[0]),
-                                      all.projected(segment.points[1]), piece.shares[end]);
-}
 
 std::vector<VisibilityPiece> find_visibility_pieces(const VisibilitySegments& all,
                                                     const std::vector<PictureCrossing>& crossings,
                                                     const StageProgress& stage) {
     const std::vector<Division> divisions = find_divisions(crossings);
     auto division = divisions.begin();
-    const std::uint32_t first_crossing = first_crossing_node(all);
+    const std::uint32_t first_crossing = all.point_count();
     std::vector<VisibilityPiece> pieces;
     for (std::uint32_t s = 0; s < all.segments.size(); ++s) {
         const VisibilitySegment& segment = all.segments[s];

@@ -39,16 +39,10 @@ std::vector<VisibilityPiece> find_visibility_pieces(const VisibilitySegments& al
                                                     const std::vector<PictureCrossing>& crossings,
                                                     const StageProgress& stage);
 
-/// The number of the first node that is a crossing.
-std::uint32_t first_crossing_node(const VisibilitySegments& all);
-
 /// Joins pieces to lines at common nodes: mesh edges, outlines first, so that they close; then the
 /// visible parts of lines on the surface.
 std::vector<ViewLine> trace_lines(const VisibilitySegments& all,
                                   const std::vector<VisibilityPiece>& pieces,
                                   const VisibilityOptions& options);
-
-/// The share of its segment, in space, at the start (0) or end (1) of a piece.
-double share_at(const VisibilitySegments& all, const VisibilityPiece& piece, int end);
 
 }  // namespace laplacian_lines

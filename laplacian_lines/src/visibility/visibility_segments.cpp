@@ -65,35 +65,34 @@ private:
     /// The triangle nearest to the eye on a side of an edge.
     std::uint32_t first_at(std::uint32_t edge, int side) const {
         const VisibilityMesh::Side* const sides = mesh_.sides_of(edge);
-        const auto comes_before = [&](const VisibilityMesh::Side& a,
-                                      const VisibilityMesh::Side& b) {
+        const auto is_farther = [&](const VisibilityMesh::Side& a, const VisibilityMesh::Side& b) {
             const bool is_a = picture_.side_of(a) == side, is_b = picture_.side_of(b) == side;
             return is_a != is_b ? is_b : rise(edge, a) < rise(edge, b);
         };
-        return std::max_element(sides, sides + mesh_.side_count(edge), comes_before)->triangle;
+        return std::max_element(sides, sides + mesh_.side_count(edge), is_farther)->triangle;
     }
 
-    bool are_flat(std::uint32_t a, std::uint32_t b) const {
+    bool are_coplanar(std::uint32_t a, std::uint32_t b) const {
         return std::abs(mesh_.normal(a).dot(mesh_.normal(b))) > kSmoothCosine;
     }
 
     /// For edges of more than two triangles. If the nearest ones on both sides are coplanar, they
     /// belong to one body, and nothing is drawn, or to two that touch.
     void classify_contact(std::uint32_t edge, VisibilitySegment& segment) const {
-        const bool is_flat = are_flat(first_at(edge, 1), first_at(edge, -1));
-        const bool is_one_body = is_flat && is_within_body(edge);
+        const std::uint32_t left = first_at(edge, 1);
+        const bool is_flat = are_coplanar(left, first_at(edge, -1));
+        const bool is_one_body = is_flat && is_within_body(edge, left);
         segment.kind = is_flat && !is_one_body ? LineKind::Contour : LineKind::Crease;
         segment.is_drawn = !is_one_body;
     }
 
-    /// Whether one body has triangles on both sides of an edge in the plane of the nearest one.
-    bool is_within_body(std::uint32_t edge) const {
-        const std::uint32_t left = first_at(edge, 1);
+    /// Whether one body has triangles on both sides of an edge in the plane of this triangle.
+    bool is_within_body(std::uint32_t edge, std::uint32_t triangle) const {
         const VisibilityMesh::Side* const sides = mesh_.sides_of(edge);
         const auto is_there = [&](int side, std::uint32_t body) {
             return std::any_of(sides, sides + mesh_.side_count(edge), [&](const auto& other) {
                 return picture_.side_of(other) == side && mesh_.bodies[other.triangle] == body &&
-                       are_flat(other.triangle, left);
+                       are_coplanar(other.triangle, triangle);
             });
         };
         return std::any_of(sides, sides + mesh_.side_count(edge), [&](const auto& side) {
@@ -129,7 +128,7 @@ void append_edges(const CreaseMarks& creases, VisibilitySegments& all) {
 }
 
 void append_line(const LineSet& set, const Polyline& line, VisibilitySegments& all) {
-    const auto first = std::uint32_t(all.picture.mesh().positions.size() + all.line_points.size());
+    const std::uint32_t first = all.point_count();
     VisibilitySegment segment;
     segment.line = std::uint32_t(all.lines.size());
     segment.kind = line.kind;
@@ -142,7 +141,7 @@ void append_line(const LineSet& set, const Polyline& line, VisibilitySegments& a
     for (std::uint32_t i = 0; i < line.count; ++i) {
         const Vector3d p = set.position(set.points[line.first + i]);
         all.line_points.push_back(all.picture.mesh().local(p));
-        all.line_places.push_back(all.picture.frame().project(all.line_points.back()));
+        all.line_places.push_back(frame.project(all.line_points.back()));
         segment.points[0] = segment.points[1];
         segment.points[1] = line.closed && i + 1 == line.count ? first : first + i;
         if (i > 0 && is_before(segment.points[0]) && is_before(segment.points[1]))

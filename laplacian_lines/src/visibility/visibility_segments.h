@@ -45,6 +45,18 @@ struct VisibilitySegments {
         const std::size_t vertices = picture.mesh().positions.size();
         return point < vertices ? picture.vertex(point) : line_places[point - vertices];
     }
+    std::uint32_t point_count() const {
+        return std::uint32_t(picture.mesh().positions.size() + line_points.size());
+    }
+    /// The share of a segment's length in space, and the local position, for one in the picture.
+    double share_in_space(const VisibilitySegment& segment, double share) const {
+        const auto [from, to] = segment.points;
+        return picture.share_in_space(projected(from), projected(to), share);
+    }
+    Eigen::Vector3d position_at(const VisibilitySegment& segment, double share) const {
+        const Eigen::Vector3d &a = position(segment.points[0]), &b = position(segment.points[1]);
+        return a + share_in_space(segment, share) * (b - a);
+    }
 };
 
 /// The mesh's edges, then segments of the lines on the surface, in order; contours, borders and
@@ -52,6 +64,7 @@ struct VisibilitySegments {
 VisibilitySegments find_visibility_segments(const Picture& picture, const CreaseMarks& creases,
                                             const std::vector<LineSet>& lines);
 
+/// Contours, borders and creases.
 bool is_edge_kind(LineKind kind);
 
 }  // namespace laplacian_lines
