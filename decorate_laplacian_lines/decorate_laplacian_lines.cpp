@@ -13,7 +13,6 @@
 #include "decorate_laplacian_lines.h"
 
 #include <QPainter>
-#include <stdexcept>
 
 #include "laplacian_lines/version.h"
 #include "meshlab_host/camera.h"
@@ -42,13 +41,10 @@ meshlab_host::DecorationDescription description() {
 laplacian_lines::View view_of(const CameraMatrices& camera, const Eigen::Matrix4d& layer,
                               const DecorationParameters& chosen) {
     auto view = meshlab_host::view_from_matrices(camera.modelview, camera.projection, layer);
-    if (!view)
-        throw std::runtime_error(
-            "The layer's transformation cannot be inverted. Reset it, or freeze it.");
     if (const auto azimuth = light_azimuth(chosen))
-        view->light = meshlab_host::direction_in_mesh(meshlab_host::towards_light(*azimuth),
-                                                      camera.modelview, layer);
-    return *view;
+        view.light = meshlab_host::direction_in_mesh(meshlab_host::towards_light(*azimuth),
+                                                     camera.modelview, layer);
+    return view;
 }
 
 QString statistics(const laplacian_lines::LineSet& lines, const RedrawClock& clock,

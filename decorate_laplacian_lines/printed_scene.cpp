@@ -84,9 +84,9 @@ void PrintedScene::prepare(const Progress& progress) {
     painter_->prepare(progress);
 }
 
-PrintedScene::Picture PrintedScene::paint(const line_drawing::WindowView& window,
-                                          const DecorationParameters& chosen, bool may_wait,
-                                          const Progress& progress) {
+Print PrintedScene::paint(const line_drawing::WindowView& window,
+                          const DecorationParameters& chosen, bool may_wait,
+                          const Progress& progress) {
     prepare(progress);
     if (chosen.style.shows.needs_derivatives()) ensure_derivatives(progress);
     std::vector<line_drawing::Ink> inks;

@@ -35,15 +35,17 @@ struct ColoredInk {
 };
 std::vector<ColoredInk> inks_of(const DecorationParameters& chosen);
 
+struct Print {
+    line_renderer::InkPicturePointer picture;  ///< in the inks of inks_of(); null: none
+    bool is_final = false;                     ///< false: another follows, with the right kernel
+    double milliseconds = 0;                   ///< time it took
+    QString missing_reason = {};               ///< why there is none, told once
+};
+
 /// Layers as the drawing filter would print them together. Grows with the first picture. One thread
 /// at a time.
 class PrintedScene {
 public:
-    struct Picture {
-        line_renderer::InkPicturePointer picture;  ///< in the inks of inks_of()
-        bool is_final;                             ///< as line_drawing::PaintedView has it
-    };
-
     static constexpr std::size_t most_triangles = 10000000;
 
     explicit PrintedScene(std::vector<LayerInScene> layers);
@@ -55,8 +57,8 @@ public:
     /// What every view needs, unless that is done. @throws as paint()
     void prepare(const laplacian_lines::Progress& progress);
     /// @throws as line_drawing::ViewPainter::paint()
-    Picture paint(const line_drawing::WindowView& window, const DecorationParameters& chosen,
-                  bool may_wait, const laplacian_lines::Progress& progress);
+    Print paint(const line_drawing::WindowView& window, const DecorationParameters& chosen,
+                bool may_wait, const laplacian_lines::Progress& progress);
 
 private:
     struct TransformedLayer {

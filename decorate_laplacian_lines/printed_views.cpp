@@ -117,11 +117,8 @@ void PrintedViews::run(Running& running) noexcept {
     try {
         PrintedScene& scene = *running.what.scene;
         scene.prepare([&](double, const char*) { return !running.is_stopped; });
-        PrintedScene::Picture painted =
-            scene.paint(running.what.window, running.what.chosen, running.may_wait,
-                        [&](double, const char*) { return !running.is_given_up; });
-        running.print.picture = std::move(painted.picture);
-        running.print.is_final = painted.is_final;
+        running.print = scene.paint(running.what.window, running.what.chosen, running.may_wait,
+                                    [&](double, const char*) { return !running.is_given_up; });
         running.print.milliseconds = 1e-6 * double(clock.nsecsElapsed());
     } catch (const std::bad_alloc&) {
         running.print.missing_reason = "There is not enough memory for the printed drawing.";

@@ -24,13 +24,6 @@ struct PrintedView {
     bool operator==(const PrintedView& other) const;
 };
 
-struct Print {
-    line_renderer::InkPicturePointer picture;  ///< in the inks of inks_of(); null: none
-    bool is_final = false;                     ///< false: another follows, with the right kernel
-    double milliseconds = 0;                   ///< time it took
-    QString missing_reason;                    ///< why there is none, told once
-};
-
 /// Views as they would be printed: each is drawn in a thread once it has not changed for a while,
 /// at first with the nearest cached kernel. A change cancels its drawing at once, but not work that
 /// other views need as well. GUI thread only.

@@ -134,8 +134,8 @@ void run(const meshlab_host::FilterRun& run) {
     const CMeshO& mesh = run.document.mm()->cm;
     const int mesh_id = run.document.mm()->id();
     const meshlab_host::GeometryStamp stamp = meshlab_host::geometry_stamp(mesh);
-    const Field field = laplacian_lines::precompute(meshlab_host::to_triangle_mesh(mesh), options,
-                                                    meshlab_host::progress_to(run.progress));
+    const Field field =
+        laplacian_lines::precompute(meshlab_host::to_triangle_mesh(mesh), options, run.progress);
     store(run.document, mesh_id, stamp, field, options);
     for (const QString& line : compute_report(field, options, 1e-3 * double(clock.elapsed())))
         run.say(line);
@@ -153,8 +153,7 @@ meshlab_host::Filter compute_filter() {
              "After Zhang, He, Xie and Chen, <i>Laplacian Lines for Real-Time Shape "
              "Illustration</i>, 2009. Version ") +
              laplacian_lines::version() + '.',
-         meshlab_host::FilterInterface::Normal | meshlab_host::FilterInterface::Quality,
-         MeshModel::MM_FACENUMBER},
+         meshlab_host::FilterInterface::Normal | meshlab_host::FilterInterface::Quality},
         list_parameters,
         run};
 }

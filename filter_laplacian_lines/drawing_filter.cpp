@@ -15,6 +15,7 @@
 #include "meshlab_host/layer_drawing.h"
 #include "world_layers.h"
 
+using laplacian_lines::part;
 using line_drawing::Sheet;
 using line_drawing::SheetOptions;
 
@@ -117,11 +118,10 @@ void run(const meshlab_host::FilterRun& run) {
     set_texts(layers, options);
     for (const std::string& remark : line_drawing::check_texts(options, in_system(name)))
         run.say(QString::fromStdString(remark));
-    Sheet sheet =
-        line_drawing::make_sheets(objects_of(layers), {options},
-                                  meshlab_host::progress_to(run.progress, kFieldShare, kSheetShare))
-            .front();
-    meshlab_host::begin_step(run.progress, 1, "Writing the drawing");
+    Sheet sheet = line_drawing::make_sheets(objects_of(layers), {options},
+                                            part(run.progress, kFieldShare, kSheetShare))
+                      .front();
+    laplacian_lines::report(run.progress, 1, "Writing the drawing");
     const QString file = write(sheet, layers, name);
 
     const Eigen::Vector3d size = options.mm_per_unit * size_of(layers);
@@ -143,7 +143,7 @@ meshlab_host::Filter drawing_filter() {
         {kFilterName, "export_laplacian_lines_drawing",
          "Writes a measured drawing: lines at scale on paper, as vectors, from the window's view "
          "or several sides.",
-         meshlab_host::FilterInterface::Normal, MeshModel::MM_FACENUMBER},
+         meshlab_host::FilterInterface::Normal},
         list_parameters,
         run};
 }

@@ -27,6 +27,7 @@
 #include "world_layers.h"
 
 using laplacian_lines::LineSet;
+using laplacian_lines::part;
 using laplacian_lines::View;
 
 namespace {
@@ -91,9 +92,8 @@ LineSet strokes(const Source& source, const line_drawing::ViewFrame& frame,
     if (chosen.light_azimuth) options.light = meshlab_host::towards_light(*chosen.light_azimuth);
     const WorldLayers placed =
         copy_layers({false, options.style.shows.needs_derivatives()}, run, kPlacedShare);
-    return line_set_of(line_drawing::strokes_of(
-                           objects_of(placed), frame, options,
-                           meshlab_host::progress_to(run.progress, kPlacedShare, kStrokesShare)),
+    return line_set_of(line_drawing::strokes_of(objects_of(placed), frame, options,
+                                                part(run.progress, kPlacedShare, kStrokesShare)),
                        source, diagonal);
 }
 
@@ -107,17 +107,15 @@ LineSet all_lines(const Source& source, const line_drawing::ViewFrame& frame,
         field_source = meshlab_host::with_derivatives(std::move(field_source));
     const laplacian_lines::TriangleMesh triangles = laplacian_lines::refined(source.triangles);
     const laplacian_lines::Field field = meshlab_host::find_or_compute_field(
-        mesh, triangles, source.name, field_source, run.say,
-        meshlab_host::progress_to(run.progress, 0, kFieldShare));
+        mesh, triangles, source.name, field_source, run.say, part(run.progress, 0, kFieldShare));
     if (view.w != 0 &&
-        laplacian_lines::LineVisibility(
-            triangles, meshlab_host::progress_to(run.progress, kFieldShare, kSightShare))
+        laplacian_lines::LineVisibility(triangles, part(run.progress, kFieldShare, kSightShare))
             .encloses(view.eye / view.w))
         laplacian_lines::refuse(
             "The viewpoint is inside the surface. Move it outside, or choose an "
             "orthographic view.");
     const laplacian_lines::LineExtractor extractor(
-        triangles, field, meshlab_host::progress_to(run.progress, kSightShare, kExtractorShare));
+        triangles, field, part(run.progress, kSightShare, kExtractorShare));
     laplacian_lines::ExtractionScratch scratch;
     LineSet lines;
     extractor.extract(view, chosen.style, scratch, lines);
@@ -178,7 +176,7 @@ void run(const meshlab_host::FilterRun& run) {
         laplacian_lines::refuse(
             "No lines are seen from there, so no layer was created. Take another view, "
             "more \"Detail\", or other \"Settings\".");
-    meshlab_host::begin_step(run.progress, 1, "Adding a layer");
+    laplacian_lines::report(run.progress, 1, "Adding a layer");
     add_layer(lines, source, chosen.colors, run.document);
     run.say(QString("Lines of %1: %2, %3 segments; %4")
                 .arg(source.name, kinds_text(lines), QString::number(lines.segment_count()),
@@ -198,8 +196,7 @@ meshlab_host::Filter polyline_filter() {
          "Creates a layer with the lines of the current layer as seen from one view, that of the "
          "window or another: vertices and edges, for other filters and programs (OBJ, DXF), with "
          "attributes <b>ll_...</b> that tell more about them.",
-         meshlab_host::FilterInterface::Normal | meshlab_host::FilterInterface::Layer,
-         MeshModel::MM_FACENUMBER},
+         meshlab_host::FilterInterface::Normal | meshlab_host::FilterInterface::Layer},
         list_parameters,
         run};
 }

@@ -70,15 +70,12 @@ laplacian_lines::View view_of(const ViewFrame& frame, const PolylineParameters& 
     Eigen::Vector4d eye = Eigen::Vector4d::Zero();
     eye.head<3>() = frame.eye.value_or(frame.towards_viewer);
     eye.w() = frame.eye ? 1 : 0;
-    std::optional<laplacian_lines::View> view = meshlab_host::view_from(eye, layer);
-    if (!view)
-        laplacian_lines::refuse(
-            "The layer's transformation cannot be inverted. Reset it, or freeze it.");
+    laplacian_lines::View view = meshlab_host::view_from(eye, layer);
     if (chosen.light_azimuth)
-        view->light = meshlab_host::direction_in_mesh(
+        view.light = meshlab_host::direction_in_mesh(
             in_mesh(meshlab_host::towards_light(*chosen.light_azimuth), frame),
             Eigen::Matrix4d::Identity(), layer);
-    return *view;
+    return view;
 }
 
 QString nearness_warning(const ViewFrame& frame, const Eigen::AlignedBox3d& box) {

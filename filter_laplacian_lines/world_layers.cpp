@@ -12,6 +12,7 @@
 
 using laplacian_lines::Error;
 using laplacian_lines::ErrorCode;
+using laplacian_lines::part;
 using laplacian_lines::Progress;
 using meshlab_host::FilterRun;
 
@@ -54,8 +55,7 @@ WorldLayers copy_visible_layers(const FilterRun& run, double share) {
         }
         const double begin = step * double(i);
         try {
-            placed.push_back(copy_layer(
-                *layer, run, meshlab_host::progress_to(run.progress, begin, begin + step)));
+            placed.push_back(copy_layer(*layer, run, part(run.progress, begin, begin + step)));
         } catch (const Error& error) {
             if (error.code() == ErrorCode::Cancelled) throw;
             run.say(QString("%1 is left out of the drawing: %2").arg(name, error.what()));
@@ -76,16 +76,14 @@ WorldLayers copy_layers(const LayerChoice& choice, const FilterRun& run, double 
     if (choice.all_visible)
         placed = copy_visible_layers(run, fields);
     else
-        placed.push_back(copy_layer(*run.document.mm(), run,
-                                    meshlab_host::progress_to(run.progress, 0, fields)));
+        placed.push_back(copy_layer(*run.document.mm(), run, part(run.progress, 0, fields)));
     if (!choice.derivatives) return placed;
     const double step = (share - fields) / double(placed.size());
     double begin = fields;
     for (WorldLayer& layer : placed) {
         if (layer.field)
-            meshlab_host::ensure_derivatives(
-                layer.mesh, *layer.field,
-                meshlab_host::progress_to(run.progress, begin, begin + step));
+            meshlab_host::ensure_derivatives(layer.mesh, *layer.field,
+                                             part(run.progress, begin, begin + step));
         begin += step;
     }
     return placed;

@@ -31,10 +31,6 @@ bool has_type(const vcg::PointerToAttribute& attribute) {
            attribute._sizeof == int(sizeof(T)) && attribute._padding == 0;
 }
 
-inline bool has_vertex_attribute(const CMeshO& mesh, const char* name) {
-    return find_attribute(mesh.vert_attr, name) != nullptr;
-}
-
 /// By slot (see mesh_conversion.h); null if there is none of this name, type and length.
 template <class T>
 const std::vector<T>* find_vertex_values(const CMeshO& mesh, const char* name) {

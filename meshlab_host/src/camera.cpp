@@ -4,6 +4,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "laplacian_lines/error.h"
+
 namespace meshlab_host {
 
 bool is_orthographic(const Eigen::Matrix4d& projection) {
@@ -65,19 +67,24 @@ double mean_scale(const Eigen::Matrix4d& transform) {
     return std::cbrt(std::abs(transform.topLeftCorner<3, 3>().determinant()));
 }
 
-std::optional<laplacian_lines::View> view_from(const Eigen::Vector4d& eye,
-                                               const Eigen::Matrix4d& to_world) {
-    const Eigen::Vector4d in_mesh = to_world.inverse() * eye;
-    if (!in_mesh.allFinite() || in_mesh.isZero(0)) return std::nullopt;
-    const Eigen::Vector3d direction = in_mesh.head<3>();
-    if (eye.w() == 0) return laplacian_lines::View::orthographic(direction.normalized());
-    if (in_mesh.w() == 0) return std::nullopt;
-    return laplacian_lines::View::perspective(direction / in_mesh.w());
+void refuse_transform() {
+    laplacian_lines::refuse(
+        "The layer's transformation cannot be inverted. Reset it, or freeze it.");
 }
 
-std::optional<laplacian_lines::View> view_from_matrices(const Eigen::Matrix4d& modelview,
-                                                        const Eigen::Matrix4d& projection,
-                                                        const Eigen::Matrix4d& layer) {
+laplacian_lines::View view_from(const Eigen::Vector4d& eye, const Eigen::Matrix4d& to_world) {
+    const Eigen::Vector4d in_mesh = to_world.inverse() * eye;
+    const bool is_parallel = eye.w() == 0;
+    if (!in_mesh.allFinite() || in_mesh.isZero(0) || (!is_parallel && in_mesh.w() == 0))
+        refuse_transform();
+    const Eigen::Vector3d direction = in_mesh.head<3>();
+    return is_parallel ? laplacian_lines::View::orthographic(direction.normalized())
+                       : laplacian_lines::View::perspective(direction / in_mesh.w());
+}
+
+laplacian_lines::View view_from_matrices(const Eigen::Matrix4d& modelview,
+                                         const Eigen::Matrix4d& projection,
+                                         const Eigen::Matrix4d& layer) {
     // In eye coordinates it is the origin, or infinitely far along +z.
     const bool is_parallel = is_orthographic(projection);
     return view_from(is_parallel ? Eigen::Vector4d::UnitZ() : Eigen::Vector4d::UnitW(),

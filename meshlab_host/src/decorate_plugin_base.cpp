@@ -25,14 +25,6 @@ DecoratePluginBase::DecoratePluginBase(DecorationDescription description)
     actionList.push_back(action);
 }
 
-void DecoratePluginBase::say(const QString& line) {
-#if MESHLAB_API < 2022
-    Log(line.toStdString());
-#else
-    log(line.toStdString());
-#endif
-}
-
 bool DecoratePluginBase::startDecorate(ActionPointer, MeshModel& mesh,
                                        const RichParameterList* parameters, GLArea* view) {
     if (!exists(mesh)) {

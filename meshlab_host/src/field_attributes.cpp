@@ -7,7 +7,6 @@
 
 #include <QStringList>
 #include <algorithm>
-#include <numeric>
 
 #include "attributes.h"
 #include "hash.h"
@@ -73,14 +72,10 @@ Columns recorded_columns(const FieldRecord& record) {
 /// Places of the vertices that are not deleted, in order. Found once: vertices are much larger than
 /// their attributes.
 std::vector<std::uint32_t> live_places(const CMeshO& mesh) {
-    std::vector<std::uint32_t> places(std::size_t(mesh.vn), 0);
-    if (!has_deleted_vertices(mesh)) {
-        std::iota(places.begin(), places.end(), 0u);
-        return places;
-    }
-    auto next = places.begin();
+    std::vector<std::uint32_t> places;
+    places.reserve(std::size_t(mesh.vn));
     for (std::size_t slot = 0; slot < mesh.vert.size(); ++slot)
-        if (!mesh.vert[slot].IsD()) *next++ = std::uint32_t(slot);
+        if (!mesh.vert[slot].IsD()) places.push_back(std::uint32_t(slot));
     return places;
 }
 
@@ -90,7 +85,7 @@ FieldStatus status_of_names(const CMeshO& mesh, const Columns& columns) {
     visit_attributes(columns, [&](const FieldColumn&, const FieldAttribute& attribute, int,
                                   auto stored) {
         using Value = typename decltype(stored)::Value;
-        if (!has_vertex_attribute(mesh, attribute.name))
+        if (!find_attribute(mesh.vert_attr, attribute.name))
             status = FieldStatus::Missing;
         else if (status == FieldStatus::Current && !find_vertex_values<Value>(mesh, attribute.name))
             status = FieldStatus::WrongType;

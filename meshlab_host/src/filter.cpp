@@ -29,6 +29,12 @@ QStringList other_parameters(const Filter& filter, const MeshModel& mesh,
     return names;
 }
 
+/// MeshLab's callback, which may be null, takes percent and text; false cancels.
+laplacian_lines::Progress progress_to(vcg::CallBackPos* callback) {
+    if (!callback) return {};
+    return [=](double done, const char* stage) { return callback(int(100 * done), stage); };
+}
+
 }  // namespace
 
 FilterPluginBase::FilterPluginBase(const QString& plugin_name, FilterList filters)
@@ -39,14 +45,6 @@ FilterPluginBase::FilterPluginBase(const QString& plugin_name, FilterList filter
     }
 }
 
-void FilterPluginBase::say(const QString& line) {
-#if MESHLAB_API < 2022
-    Log(line.toStdString());
-#else
-    log(line.toStdString());
-#endif
-}
-
 QString FilterPluginBase::run_catching_all(const Filter& filter, MeshDocument& document,
                                            const RichParameterList& parameters,
                                            vcg::CallBackPos* progress, FilterResults& results) {
@@ -55,8 +53,8 @@ QString FilterPluginBase::run_catching_all(const Filter& filter, MeshDocument& d
         const QStringList others = other_parameters(filter, *document.mm(), parameters);
         if (!others.isEmpty())
             say("Parameters of another version are ignored: " + others.join(", ") + '.');
-        filter.run(
-            {document, parameters, progress, [this](const QString& line) { say(line); }, results});
+        filter.run({document, parameters, progress_to(progress),
+                    [this](const QString& line) { say(line); }, results});
         return QString();
     } catch (const std::bad_alloc&) {
         return "Not enough memory. The mesh was not changed.";

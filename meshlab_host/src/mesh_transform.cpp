@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 #include <utility>
 
-#include "laplacian_lines/error.h"
 #include "laplacian_lines/precompute.h"
 
 namespace meshlab_host {
@@ -30,9 +29,7 @@ ShapeOperator shape_operator_of(const Eigen::Matrix3f& m) {
 void apply_transform(const Eigen::Matrix4d& layer, TriangleMesh& mesh) {
     const Eigen::Matrix3d linear = layer.topLeftCorner<3, 3>();
     const double determinant = linear.determinant();
-    if (determinant == 0 || !layer.allFinite())
-        laplacian_lines::refuse(
-            "The layer's transformation cannot be inverted. Reset it, or freeze it.");
+    if (determinant == 0 || !layer.allFinite()) refuse_transform();
     for (Eigen::Vector3d& p : mesh.positions)
         p = linear * p + layer.topRightCorner<3, 1>();
     const Eigen::Matrix3d of_normals = linear.inverse().transpose();

@@ -52,22 +52,17 @@ std::vector<View> orbit(const TriangleMesh& mesh) {
 
 /// A window around the mesh for an eye, in perspective.
 line_drawing::WindowView window_of(const Eigen::Vector3d& eye, const TriangleMesh& mesh) {
-    const Eigen::Vector3d away = eye - line_drawing::bounds_of(mesh).center();
-    line_drawing::WindowView window;
-    line_drawing::ViewFrame& frame = window.frame;
-    frame.towards_viewer = away.normalized();
-    frame.right = Eigen::Vector3d::UnitY().cross(away).normalized();
-    frame.up = frame.towards_viewer.cross(frame.right);
-    frame.eye = eye;
+    const Eigen::Vector3d back = (eye - line_drawing::bounds_of(mesh).center()).normalized(),
+                          right = Eigen::Vector3d::UnitY().cross(back).normalized();
+    const line_drawing::ViewFrame frame =
+        line_drawing::frame_of_axes("", back, back.cross(right), eye);
     Eigen::Matrix4d to_eye = Eigen::Matrix4d::Identity(), projection = to_eye;
     to_eye.topLeftCorner<3, 3>() << frame.right.transpose(), frame.up.transpose(),
         frame.towards_viewer.transpose();
     to_eye.topRightCorner<3, 1>() = -to_eye.topLeftCorner<3, 3>() * eye;
     projection.topLeftCorner<2, 2>() *= 2 * kOrbitRadius;  // the diagonal fills it
     projection.bottomRows<2>() << 0, 0, -1, -1, 0, 0, -1, 0;
-    window.to_clip = projection * to_eye;
-    window.size = {kWindow, kWindow};
-    return window;
+    return {frame, projection * to_eye, {kWindow, kWindow}};
 }
 
 /// All zeros of n·l in one loop over the triangles, in floats and on one thread: nothing is
@@ -158,8 +153,9 @@ void add_once_a_mesh(const Subject& of) {
     add_long("extractor", [&of] { LineExtractor(of.mesh, of.field); });
     line_drawing::SheetOptions options;
     options.views = line_drawing::parse_views("30,20", options.up);
-    add_long("view_on_paper",
-             [&of, options] { line_drawing::make_sheet(of.mesh, of.field, options); });
+    add_long("view_on_paper", [&of, options] {
+        line_drawing::make_sheets({{of.mesh, &of.field}}, {options});
+    });
 }
 
 /// What a window draws when it comes to rest, once its mesh is ready.

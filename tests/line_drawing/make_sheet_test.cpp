@@ -94,7 +94,7 @@ TEST(MeasuredDrawing, ALightTurnsWithTheView) {
         SheetOptions options = plain_views(views);
         options.mm_per_unit = 40;
         options.light = light;
-        return write_sheet(line_drawing::make_sheet(mesh, field, options), ".svg");
+        return write_sheet(line_drawing::make_sheets({{mesh, &field}}, {options}).front(), ".svg");
     };
     EXPECT_EQ(svg("top", Eigen::Vector3d(0, 0, 2)), svg("top", {}));
     EXPECT_NE(svg("top", Eigen::Vector3d(-1, 1, 1)), svg("top", {}));
@@ -177,8 +177,8 @@ TEST(MeasuredDrawing, RefusesWhatCannotBeDrawn) {
 TEST(MeasuredDrawing, CanBeCancelled) {
     const auto mesh = cube_of100();
     const auto field = laplacian_lines::precompute(mesh);
-    EXPECT_THROW(make_sheet(mesh, field, plain_views("six"),
-                            [](double done, const char*) { return done < 0.6; }),
+    EXPECT_THROW(make_sheets({{mesh, &field}}, {plain_views("six")},
+                             [](double done, const char*) { return done < 0.6; }),
                  laplacian_lines::Error);
 }
 

@@ -44,7 +44,8 @@ inline laplacian_lines::TriangleMesh cube_of100() {
 
 inline line_drawing::Sheet sheet_of(const laplacian_lines::TriangleMesh& mesh,
                                     const line_drawing::SheetOptions& options) {
-    return line_drawing::make_sheet(mesh, laplacian_lines::precompute(mesh), options);
+    const laplacian_lines::Field field = laplacian_lines::precompute(mesh);
+    return line_drawing::make_sheets({{mesh, &field}}, {options}).front();
 }
 
 inline line_drawing::SheetOptions plain_views(const char* views, const char* paper = "a0") {

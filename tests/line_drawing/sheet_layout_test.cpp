@@ -227,7 +227,7 @@ TEST(PrintedSize, AFieldOfTheUsersIsDrawnAsItIs) {
     laplacian_lines::PrecomputeOptions computed;
     computed.kernel_size = 4;
     const auto field = laplacian_lines::precompute(mesh, computed);
-    const Sheet sheet = make_sheet(mesh, field, options_at(0.5));
+    const Sheet sheet = make_sheets({{mesh, &field}}, {options_at(0.5)}).front();
     EXPECT_NEAR(kernel_of(sheet), 2, 0.03);
     EXPECT_NEAR(sheet.kernel, 2, 1e-3);
 }

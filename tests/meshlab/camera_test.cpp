@@ -56,9 +56,9 @@ TEST(DirectionInMesh, AgreesWithTheEye) {
     Matrix4d projection = Matrix4d::Identity();
     const auto view = meshlab_host::view_from_matrices(kModelview, projection, distorting());
     const auto light = direction_in_mesh(Vector3d::UnitZ(), kModelview, distorting());
-    ASSERT_TRUE(view && light);
-    EXPECT_EQ(view->w, 0);
-    EXPECT_TRUE(light->normalized().isApprox(view->eye.normalized(), 1e-9));
+    ASSERT_TRUE(light);
+    EXPECT_EQ(view.w, 0);
+    EXPECT_TRUE(light->normalized().isApprox(view.eye.normalized(), 1e-9));
 }
 
 TEST(DirectionInMesh, IsEmptyWithoutAnInverse) {

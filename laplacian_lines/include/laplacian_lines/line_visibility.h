@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -84,6 +85,20 @@ struct ViewLine {
 
 /// Appends a line to a set, whose points are relative to its origin; `diagonal`: D, mesh units.
 void append(const ViewLine& line, double diagonal, LineSet& to);
+
+/// Appends lines whose nodes were counted by themselves: they get numbers of their own.
+template <class Line>
+void append_with_own_nodes(std::vector<Line> more, std::vector<Line>& lines) {
+    std::uint32_t count = 0;
+    for (const Line& line : lines)
+        for (const auto& point : line.points)
+            if (point.node != kNoNode) count = std::max(count, point.node + 1);
+    for (Line& line : more) {
+        for (auto& point : line.points)
+            if (point.node != kNoNode) point.node += count;
+        lines.push_back(std::move(line));
+    }
+}
 
 /// Lines, cut where their visibility changes.
 struct LineParts {

@@ -25,8 +25,7 @@ public:
 
     /// `done`: 0..1. @throws Error(Cancelled)
     void report(double done) const {
-        if (progress_ && !progress_(begin_ + (end_ - begin_) * done, name_))
-            refuse("Cancelled; the mesh was not changed.", ErrorCode::Cancelled);
+        laplacian_lines::report(progress_, begin_ + (end_ - begin_) * done, name_);
     }
 
     StageProgress part(double begin, double end) const {

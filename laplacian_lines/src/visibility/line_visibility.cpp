@@ -64,16 +64,9 @@ void find_lines_in_front(const VisibilityMesh& mesh, const EyeFrame& frame,
                          const StageProgress& stage, std::vector<ViewLine>& seen) {
     const VisibilityMesh before =
         build_visibility_mesh(part_before_eye(mesh, frame), mesh, stage.part(0, 0.5));
-    std::uint32_t first_node = 0;  // nodes of the two halves differ
-    for (const ViewLine& line : seen)
-        for (const ViewLinePoint& point : line.points)
-            first_node = std::max(first_node, point.node + 1);  // 0 after kNoNode
-    for (ViewLine& line : find_visible_lines(before, CreaseMarker(before), frame, lines, options,
-                                             stage.part(0.5, 1))) {
-        for (ViewLinePoint& point : line.points)
-            if (point.node != kNoNode) point.node += first_node;
-        seen.push_back(std::move(line));
-    }
+    append_with_own_nodes(
+        find_visible_lines(before, CreaseMarker(before), frame, lines, options, stage.part(0.5, 1)),
+        seen);
 }
 
 }  // namespace

@@ -12,15 +12,12 @@
 
 namespace line_drawing {
 
-/// A measured drawing of a mesh and its field: all views orthographic (or in perspective) at one
-/// scale, laid out on paper. Any number of threads gives the same sheet.
-/// @throws laplacian_lines::Error: InvalidOption, also if the drawing does not fit its paper at its
+/// Measured drawings of one scene, which is prepared once: all views orthographic (or in
+/// perspective) at one scale, laid out on paper. Its objects hide each other and share a coordinate
+/// system, bounds and sections; each has its own lines. Any number of threads gives the same
+/// sheets.
+/// @throws laplacian_lines::Error: InvalidOption, also if a drawing does not fit its paper at its
 /// scale; InvalidMesh, EmptyMesh, FieldMismatch, Cancelled.
-Sheet make_sheet(const laplacian_lines::TriangleMesh& mesh, const laplacian_lines::Field& field,
-                 const SheetOptions& options, const laplacian_lines::Progress& progress = {});
-
-/// Several drawings of one scene, which is prepared once. Its objects hide each other and share a
-/// coordinate system, bounds and sections; each has its own lines.
 std::vector<Sheet> make_sheets(const Objects& objects, const std::vector<SheetOptions>& options,
                                const laplacian_lines::Progress& progress = {});
 

@@ -14,7 +14,7 @@ namespace line_drawing {
 /// Default length of the longer side of a view on paper, mm: most of A4.
 constexpr double kUsualViewSize = 200;
 
-/// The strokes of a view as make_sheet() draws it with this size on paper, mm of its longer side,
+/// The strokes of a view as make_sheets() draws it with this size on paper, mm of its longer side,
 /// in space: joined, thinned out, smoothed. Points have the depth of the line that they come from,
 /// so strokes end where one line continues behind another. Weights are shares of the width of
 /// outlines, contours or inner lines; opacities are 1; points have no nodes. Kinds, strengths and

@@ -5,7 +5,6 @@
 #include <iterator>
 
 #include "options/paper_and_pens.h"
-#include "options/progress_part.h"
 #include "pixels/painting.h"
 #include "sheet/view_drawing.h"
 #include "sight/object_lines.h"
@@ -14,7 +13,9 @@
 namespace line_drawing {
 namespace {
 
+using laplacian_lines::part;
 using laplacian_lines::Progress;
+using laplacian_lines::report;
 
 // Progress at which visibility, and the lines within faces, are prepared.
 constexpr double kSightShare = 0.3, kLinesShare = 0.7;
@@ -49,10 +50,7 @@ Placement placement_of(const WindowView& view, const Eigen::Vector3d& middle, do
 bool is_near(const DrawnLine& line, const Placement& placement, const WindowView& window) {
     const Eigen::Vector2d size = window.size.cast<double>() / window.pixels_per_mm,
                           room = Eigen::Vector2d::Constant(kRoomAround);
-    Eigen::AlignedBox2d box;
-    for (const DrawnPoint& point : line.points)
-        box.extend(placement.on_sheet(point.position));
-    return Eigen::AlignedBox2d(-room, size + room).intersects(box);
+    return Eigen::AlignedBox2d(-room, size + room).intersects(placement.on_sheet(box_of(line)));
 }
 
 bool is_of(const DrawnLine& line, const Ink& ink, bool hidden_apart) {

@@ -8,13 +8,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <set>
+#include <thread>
 
 #include "laplacian_lines/threads.h"
 #include "line_drawing/words.h"
 #include "options/paper_and_pens.h"
-#include "options/progress_part.h"
 #include "planes/lettering.h"
 #include "sheet/sheet_annotations.h"
 #include "sheet/sheet_layout.h"
@@ -25,8 +26,8 @@
 namespace line_drawing {
 namespace {
 
+using laplacian_lines::part;
 using laplacian_lines::Progress;
-using laplacian_lines::TriangleMesh;
 
 constexpr double kCheckPixel = 0.25;       // mm on the sheet
 constexpr double kLargestDetail = 0.0401;  // of the diagonal: meshes without detail have none
@@ -77,6 +78,35 @@ std::string remark_on(const std::string& note) {
     return "Vessel: " + note +
            ". That is how far the rim goes around the axis, and how much the vessel leans.";
 }
+
+/// Progress of equal tasks on several threads, reported only by the thread that made this, since
+/// windows may show it.
+class SharedProgress {
+public:
+    SharedProgress(Progress all, std::size_t tasks) : all_(std::move(all)), done_(tasks) {}
+
+    Progress of(std::size_t task) {
+        if (!all_) return {};
+        return [this, task](double done, const char* stage) { return tell(task, done, stage); };
+    }
+
+private:
+    bool tell(std::size_t task, double done, const char* stage) {
+        done_[task] = done;
+        if (std::this_thread::get_id() == teller_ && !is_stopped_) {
+            double sum = 0;
+            for (const std::atomic<double>& of_task : done_)
+                sum += of_task;
+            is_stopped_ = !all_(sum / double(done_.size()), stage);
+        }
+        return !is_stopped_;
+    }
+
+    const Progress all_;
+    const std::thread::id teller_ = std::this_thread::get_id();
+    std::vector<std::atomic<double>> done_;  // by task
+    std::atomic<bool> is_stopped_{false};
+};
 
 struct Draft {
     SheetOptions options;
@@ -139,7 +169,7 @@ std::vector<double> add_lines(const ViewBuilder& builder, Draft& draft, const Pr
             laplacian_lines::in_parallel(2, [&](std::size_t is_check) {
                 if (is_check ? i > 0 : i < count) is_check ? check(i - 1) : add_lines_of(i);
             });
-    report(progress, 1, "Finding what is seen");
+    laplacian_lines::report(progress, 1, "Finding what is seen");
     return missing;
 }
 
@@ -212,11 +242,6 @@ std::vector<Sheet> make_sheets(const Objects& objects, const std::vector<SheetOp
         sheets.push_back(draw(builder, draft, own));
     });
     return sheets;
-}
-
-Sheet make_sheet(const TriangleMesh& mesh, const laplacian_lines::Field& field,
-                 const SheetOptions& options, const Progress& progress) {
-    return make_sheets({{mesh, &field}}, {options}, progress).front();
 }
 
 }  // namespace line_drawing

@@ -5,7 +5,6 @@
 #include <array>
 
 #include "options/paper_and_pens.h"
-#include "options/progress_part.h"
 #include "planes/corners.h"
 #include "sheet/view_drawing.h"
 #include "sight/object_lines.h"
@@ -16,6 +15,7 @@ namespace line_drawing {
 namespace {
 
 using Eigen::Vector3d;
+using laplacian_lines::part;
 using laplacian_lines::ViewLine;
 using laplacian_lines::ViewLinePoint;
 

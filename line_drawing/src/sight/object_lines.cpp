@@ -12,13 +12,13 @@
 #include "laplacian_lines/precompute.h"
 #include "line_drawing/object.h"
 #include "options/paper_and_pens.h"
-#include "options/progress_part.h"
 
 namespace line_drawing {
 namespace {
 
 using laplacian_lines::Field;
 using laplacian_lines::MeshFault;
+using laplacian_lines::part;
 using laplacian_lines::PrecomputeOptions;
 using laplacian_lines::Progress;
 

@@ -6,7 +6,6 @@
 
 #include "laplacian_lines/error.h"
 #include "line_drawing/words.h"
-#include "options/progress_part.h"
 #include "planes/cutting.h"
 #include "sections/half_section.h"
 #include "sections/section_marks.h"
@@ -15,6 +14,7 @@
 namespace line_drawing {
 
 using Eigen::Vector2d;
+using laplacian_lines::part;
 using laplacian_lines::Progress;
 using laplacian_lines::TriangleMesh;
 
@@ -171,19 +171,6 @@ std::vector<DrawnLine> lines_at(const std::vector<Vector2d>& places,
     return found;
 }
 
-/// Nodes are counted in each picture by itself.
-void append_picture(std::vector<DrawnLine> picture, std::vector<DrawnLine>& lines) {
-    std::uint32_t count = 0;
-    for (const DrawnLine& line : lines)
-        for (const DrawnPoint& point : line.points)
-            if (point.node != laplacian_lines::kNoNode) count = std::max(count, point.node + 1);
-    for (DrawnLine& line : picture) {
-        for (DrawnPoint& point : line.points)
-            if (point.node != laplacian_lines::kNoNode) point.node += count;
-        lines.push_back(std::move(line));
-    }
-}
-
 }  // namespace
 
 ViewBuilder::ViewBuilder(const Objects& objects)
@@ -282,7 +269,8 @@ void ViewBuilder::add_half_section_lines(DrawnView& drawn, const laplacian_lines
     half.draw(drawn, cuttable_, box_.center(), options.mm_per_unit);
     const ViewLines all = visibility_->visible_lines(view, lines, visibility_options(options),
                                                      part(progress, 0.6, 1));
-    append_picture(draw(clip(all, half.right()), drawn.frame, options), drawn.lines);
+    laplacian_lines::append_with_own_nodes(draw(clip(all, half.right()), drawn.frame, options),
+                                           drawn.lines);
 }
 
 double ViewBuilder::check_outlines(DrawnView& drawn, const SheetOptions& options,

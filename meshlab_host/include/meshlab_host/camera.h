@@ -36,19 +36,21 @@ struct Similarity {
 /// None if the transformation stretches, shears or reflects.
 std::optional<Similarity> similarity_of(const Eigen::Matrix4d& transform);
 
+/// Of a layer, if it is singular. @throws laplacian_lines::Error(InvalidOption)
+[[noreturn]] void refuse_transform();
+
 /// By how much lengths grow: the geometric mean over three directions, the cube root of volumes'.
 double mean_scale(const Eigen::Matrix4d& transform);
 
 /// For an eye in homogeneous coordinates of the world, (position, 1), or (direction towards the
-/// viewer, 0), in the coordinates of a mesh that `to_world` may scale or reflect. Empty if it is
-/// singular.
-std::optional<laplacian_lines::View> view_from(const Eigen::Vector4d& eye,
-                                               const Eigen::Matrix4d& to_world);
+/// viewer, 0), in the coordinates of a mesh that `to_world` may scale or reflect.
+/// @throws laplacian_lines::Error(InvalidOption) if it is singular
+laplacian_lines::View view_from(const Eigen::Vector4d& eye, const Eigen::Matrix4d& to_world);
 
 /// The same for the eye of a camera. Off-centre frustums (snapshot tiles) are fine.
-std::optional<laplacian_lines::View> view_from_matrices(const Eigen::Matrix4d& modelview,
-                                                        const Eigen::Matrix4d& projection,
-                                                        const Eigen::Matrix4d& layer);
+laplacian_lines::View view_from_matrices(const Eigen::Matrix4d& modelview,
+                                         const Eigen::Matrix4d& projection,
+                                         const Eigen::Matrix4d& layer);
 
 /// Towards a light that turns with the camera, 45 degrees above the plane of the picture, where
 /// `azimuth` is in degrees clockwise from the top. Unit vector in eye coordinates: x right, y up, z

@@ -37,7 +37,7 @@ protected:
     virtual void mesh_gone(GLArea* view) = 0;
 
     /// To the log of the document being served.
-    void say(const QString& line);
+    void say(const QString& line) { MESHLAB_HOST_LOG(line.toStdString()); }
 
     // MeshLab's interface, final here.
 public:

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "laplacian_lines/error.h"
 #include "laplacian_lines/progress.h"
 #include "meshlab_host/meshlab_api.h"
 
@@ -23,7 +22,6 @@ struct FilterDescription {
     QString python_name;   ///< name in PyMeshLab (MeshLab 2022 and later)
     QString help;          ///< HTML
     int filter_class = 0;  ///< bits of FilterInterface::FilterClass; Generic (0) makes loading fail
-    int preconditions = MeshModel::MM_NONE;
 };
 
 /// What a filter returns to its caller, a dictionary in PyMeshLab: numbers, booleans, texts and
@@ -35,13 +33,14 @@ void add_result(const char* name, const Eigen::Vector3d& value, FilterResults& r
 struct FilterRun {
     MeshDocument& document;  ///< with a current mesh
     const RichParameterList& parameters;
-    vcg::CallBackPos* progress;                    ///< may be null
+    /// Runs the GUI's event loop: the document may have changed when it returns.
+    laplacian_lines::Progress progress;
     std::function<void(const QString& line)> say;  ///< adds a line to the log
     FilterResults& results;                        ///< empty; MeshLab 2020.09 asks for none
 };
 
-/// An entry of the Filters menu that works on the current mesh and changes nothing MeshLab draws of
-/// it. GUI thread only.
+/// An entry of the Filters menu that works on the current mesh, which has faces, and changes
+/// nothing MeshLab draws of it. GUI thread only.
 struct Filter {
     FilterDescription description;
     /// Adds the parameters with defaults for this mesh, which may be null.
@@ -50,25 +49,6 @@ struct Filter {
     void (*run)(const FilterRun& run);
 };
 using FilterList = std::vector<Filter>;
-
-/// Passes the core's progress to MeshLab's callback (percent and text; false cancels), which may be
-/// null, as the part from `begin` to `end` (0..1). It runs the GUI's event loop: the document may
-/// have changed when it returns.
-inline laplacian_lines::Progress progress_to(vcg::CallBackPos* callback, double begin = 0,
-                                             double end = 1) {
-    if (!callback) return {};
-    return [=](double done, const char* stage) {
-        return callback(int(100 * (begin + (end - begin) * done)), stage);
-    };
-}
-
-/// Tells the callback, which may be null, that a step begins at `done` (0..1).
-/// @throws laplacian_lines::Error(Cancelled)
-inline void begin_step(vcg::CallBackPos* callback, double done, const char* step) {
-    if (callback && !callback(int(100 * done), step))
-        throw laplacian_lines::Error(laplacian_lines::ErrorCode::Cancelled,
-                                     "Cancelled; the mesh was not changed.");
-}
 
 /// A plugin of filters, the same in every version of MeshLab. A plugin class adds Q_OBJECT and
 ///     MESHLAB_PLUGIN_IID_EXPORTER(MESHLAB_HOST_FILTER_IID)
@@ -81,7 +61,7 @@ private:
     const Filter& filter(ActionPointer action) const {
         return filters_.at(std::size_t(ID(action)));
     }
-    void say(const QString& line);
+    void say(const QString& line) { MESHLAB_HOST_LOG(line.toStdString()); }
     /// Runs a filter; returns the message of an exception, or nothing.
     QString run_catching_all(const Filter& filter, MeshDocument& document,
                              const RichParameterList& parameters, vcg::CallBackPos* progress,
@@ -94,9 +74,7 @@ public:
     QString filterInfo(int id) const final { return filters_.at(std::size_t(id)).description.help; }
     using MESHLAB_HOST_FILTER_INTERFACE::filterInfo;
     using MESHLAB_HOST_FILTER_INTERFACE::filterName;
-    int getPreConditions(ActionPointer action) const final {
-        return filter(action).description.preconditions;
-    }
+    int getPreConditions(ActionPointer) const final { return MeshModel::MM_FACENUMBER; }
     int getRequirements(ActionPointer) final { return MeshModel::MM_NONE; }
     int postCondition(ActionPointer) const final { return MeshModel::MM_NONE; }
 #if MESHLAB_API < 2022

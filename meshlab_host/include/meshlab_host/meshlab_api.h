@@ -14,6 +14,7 @@
 #define MESHLAB_HOST_FILTER_IID MESH_FILTER_INTERFACE_IID
 #define MESHLAB_HOST_DECORATE_INTERFACE MeshDecorateInterface
 #define MESHLAB_HOST_DECORATE_IID MESH_DECORATE_INTERFACE_IID
+#define MESHLAB_HOST_LOG Log
 #else
 #include <common/globals.h>
 #include <common/ml_document/mesh_document.h>
@@ -26,6 +27,7 @@
 #define MESHLAB_HOST_FILTER_IID FILTER_PLUGIN_IID
 #define MESHLAB_HOST_DECORATE_INTERFACE DecoratePlugin
 #define MESHLAB_HOST_DECORATE_IID DECORATE_PLUGIN_IID
+#define MESHLAB_HOST_LOG log
 #endif
 
 namespace meshlab_host {
