@@ -4,6 +4,8 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include <array>
+
 /// OpenGL beyond version 1.1, found through Qt, since its library has another name on each system.
 /// In this namespace the usual names are these functions.
 namespace line_renderer {
@@ -89,6 +91,13 @@ GL_FUNCTION(glVertexAttribDivisor, PFNGLVERTEXATTRIBDIVISORPROC);
 GL_FUNCTION(glVertexAttribDivisorARB, PFNGLVERTEXATTRIBDIVISORARBPROC);
 GL_FUNCTION(glVertexAttribPointer, PFNGLVERTEXATTRIBPOINTERPROC);
 #undef GL_FUNCTION
+
+/// Corner and size.
+inline std::array<GLint, 4> current_viewport() {
+    std::array<GLint, 4> viewport;
+    glGetIntegerv(GL_VIEWPORT, viewport.data());
+    return viewport;
+}
 
 // Instanced drawing, by OpenGL 3.3 or older extensions. Needs a current context.
 

@@ -37,14 +37,9 @@ template <class Value>
 using PerLook = std::array<Value, laplacian_lines::kLineKindCount>;
 static_assert(laplacian_lines::kLineKindCount <= kMostLooks, "the shaders need longer arrays");
 
-Eigen::Vector4f viewport() {
-    GLint corner_and_size[4];
-    glGetIntegerv(GL_VIEWPORT, corner_and_size);
-    return Eigen::Map<const Eigen::Vector4i>(corner_and_size).cast<float>();
-}
-
 Eigen::Vector2f half_viewport() {
-    return viewport().tail<2>() / 2;
+    const auto viewport = current_viewport();
+    return Eigen::Vector2f(float(viewport[2]), float(viewport[3])) / 2;
 }
 
 void set_colors(const ShaderProgram& program, const LineAppearance& appearance, double alpha) {
@@ -84,9 +79,9 @@ void set_placement(const ShaderProgram& program, const LinePlacement& placement,
                 float(placement.diagonal * mean_scale(placement.to_eye) * to_horizon));
     glBindTexture(GL_TEXTURE_2D, placement.depths.id);
     program.set("surface_depth", 0);
-    const Eigen::Vector4f view = viewport();
-    program.set("pixels", Eigen::Vector4f(view[0] + 0.5f, view[1] + 0.5f, view[0] + view[2] - 0.5f,
-                                          view[1] + view[3] - 0.5f));
+    const auto [x, y, width, height] = current_viewport();
+    program.set("pixels", Eigen::Vector4f(float(x) + 0.5f, float(y) + 0.5f, float(x + width) - 0.5f,
+                                          float(y + height) - 0.5f));
     program.set("texel", placement.depths.texel);
 }
 
@@ -189,7 +184,7 @@ void LineRenderer::draw(const LineAppearance& appearance, const LinePlacement& p
     objects.program.use();
     set_shares_within(objects.program, appearance);
     set_placement(objects.program, relative_to(origin_, placement),
-                  *std::max_element(in_pixels.full.begin(), in_pixels.full.end()));
+                  *std::max_element(in_pixels.begin(), in_pixels.end()));
     if (appearance.hidden != HiddenLines::LeftOut)
         draw_hidden(objects, appearance, placement, clock);
     set_colors(objects.program, appearance, 1);

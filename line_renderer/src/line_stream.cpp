@@ -24,6 +24,8 @@ namespace {
 /// Tolerance of a simplified line's depth, in its clearance.
 constexpr double kDepthShare = 0.25;
 
+constexpr float kLeastShare = 0.35f;  // of the radius, which is left at weight 0
+
 LineTolerance tolerance_of(const LinePlacement& placement) {
     LineTolerance result;
     result.distance = float(placement.tolerance);
@@ -40,8 +42,8 @@ StreamPoint at(const LinePoint& point, float radius, LineKind kind, float along)
     return {{p.x(), p.y(), p.z()}, radius, point.opacity, float(kind), along};
 }
 
-float tapered_radius(float full, float least_share, float weight) {
-    return full * (least_share + (1 - least_share) * std::clamp(weight, 0.0f, 1.0f));
+float tapered_radius(float full, float weight) {
+    return full * (kLeastShare + (1 - kLeastShare) * std::clamp(weight, 0.0f, 1.0f));
 }
 
 /// The mark of a segment: 0, or one of the marks of mesh edges.
@@ -56,20 +58,18 @@ class LineOnScreen {
 public:
     LineOnScreen(const StreamSettings& settings, LineKind kind)
         : settings_(settings),
-          full_radius_(settings.radii.full.at(std::size_t(kind))),
+          full_radius_(settings.radii.at(std::size_t(kind))),
           depth_tolerance_(settings.tolerance.depth.at(std::size_t(kind))) {}
 
     SeenPoint see(const LinePoint& point) const {
-        const ScreenTransform& screen = settings_.screen;
-        const Eigen::Vector4f clip = screen.to_clip * point.position.homogeneous();
+        const Eigen::Vector4f clip = settings_.to_clip * point.position.homogeneous();
         const LineTolerance& tolerance = settings_.tolerance;
         SeenPoint seen;
-        seen.values = {0, tapered_radius(full_radius_, settings_.radii.least_share, point.weight),
-                       point.opacity};
+        seen.values = {0, tapered_radius(full_radius_, point.weight), point.opacity};
         seen.is_before_eye = clip.w() > 0 && clip.z() > -clip.w();
         if (!seen.is_before_eye) return seen;
         const float nearness = 1 / clip.w();
-        seen.pixel = clip.head<2>().cwiseProduct(screen.half_viewport) * nearness;
+        seen.pixel = clip.head<2>().cwiseProduct(settings_.half_viewport) * nearness;
         seen.values[SeenDepth] = clip.z() * nearness;
         seen.tolerance = {depth_tolerance_ * nearness * nearness, tolerance.radius,
                           tolerance.opacity};
@@ -227,8 +227,8 @@ void write_stream(const LineSet& lines, const StreamSettings& settings, StreamPo
 
 LineRadii line_radii(const LineAppearance& appearance, double pixel_scale) {
     LineRadii result;
-    for (std::size_t look = 0; look < result.full.size(); ++look)
-        result.full[look] = float(appearance.looks[look].width * pixel_scale / 2);
+    for (std::size_t look = 0; look < result.size(); ++look)
+        result[look] = float(appearance.looks[look].width * pixel_scale / 2);
     return result;
 }
 
@@ -244,7 +244,8 @@ StreamSettings stream_settings(const LineAppearance& appearance, const LinePlace
         placement.picture_to_clip.value_or(placement.projection * placement.to_eye);
     StreamSettings settings;
     settings.radii = line_radii(appearance, placement.pixel_scale);
-    settings.screen = {to_clip.cast<float>(), half_viewport};
+    settings.to_clip = to_clip.cast<float>();
+    settings.half_viewport = half_viewport;
     settings.tolerance = tolerance_of(placement);
     settings.is_measured = appearance.hidden == HiddenLines::Dashed;
     return settings;

@@ -13,18 +13,8 @@
 
 namespace line_renderer {
 
-/// Half widths, pixels.
-struct LineRadii {
-    /// At full weight, by kind.
-    std::array<float, laplacian_lines::kLineKindCount> full{};
-    float least_share = 0.35f;  ///< share of the radius that is left at weight 0
-};
-
-/// Mesh to screen, for lengths in pixels: the middle of the screen may be anywhere.
-struct ScreenTransform {
-    Eigen::Matrix4f to_clip = Eigen::Matrix4f::Identity();
-    Eigen::Vector2f half_viewport = Eigen::Vector2f::Zero();
-};
+/// Half widths at full weight by kind, pixels.
+using LineRadii = std::array<float, laplacian_lines::kLineKindCount>;
 
 /// Tolerance of the simplification of lines, see StraightPiece.
 struct LineTolerance {
@@ -59,8 +49,10 @@ constexpr float kAwayMark = 0.4f;
 std::size_t stream_length(const laplacian_lines::LineSet& lines);
 
 struct StreamSettings {
-    LineRadii radii;
-    ScreenTransform screen;
+    LineRadii radii{};
+    /// From the mesh, for lengths in pixels: the middle of the screen may be anywhere.
+    Eigen::Matrix4f to_clip = Eigen::Matrix4f::Identity();
+    Eigen::Vector2f half_viewport = Eigen::Vector2f::Zero();
     LineTolerance tolerance;
     /// Whether points get `along`, without lengths behind the eye.
     bool is_measured = false;

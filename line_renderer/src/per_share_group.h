@@ -30,8 +30,13 @@ public:
             QObject::connect(group, &QObject::destroyed, &receiver_,
                              [this, group] { entries_.erase(group); });
         if (entry.failure) std::rethrow_exception(entry.failure);
-        if (!entry.object) fill(entry, make);
-        return *entry.object;
+        if (entry.object) return *entry.object;
+        try {
+            return entry.object.emplace(make());
+        } catch (const std::runtime_error&) {
+            entry.failure = std::current_exception();
+            throw;
+        }
     }
     /// By the default constructor.
     Object& current() {
@@ -49,16 +54,6 @@ private:
         std::optional<Object> object;
         std::exception_ptr failure;
     };
-
-    template <class Make>
-    static void fill(Entry& entry, Make& make) {
-        try {
-            entry.object.emplace(make());
-        } catch (const std::runtime_error&) {
-            entry.failure = std::current_exception();
-            throw;
-        }
-    }
 
     std::map<ShareGroup, Entry> entries_;
     QObject receiver_;  ///< of the groups' signals; destroyed first

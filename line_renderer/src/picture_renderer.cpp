@@ -41,8 +41,7 @@ PictureRenderer::~PictureRenderer() = default;
 void PictureRenderer::paint(const InkPicture& picture, const std::vector<QColor>& colors,
                             const Eigen::Vector2i& corner) {
     Objects& objects = objects_->current();
-    GLint viewport[4] = {};
-    glGetIntegerv(GL_VIEWPORT, viewport);
+    const auto viewport = current_viewport();
     const GlState state;
     glDisable(GL_DEPTH_TEST);
     objects.program.use();

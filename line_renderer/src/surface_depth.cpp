@@ -15,12 +15,6 @@ namespace {
 
 using Viewport = std::array<GLint, 4>;
 
-Viewport current_viewport() {
-    Viewport viewport;
-    glGetIntegerv(GL_VIEWPORT, viewport.data());
-    return viewport;
-}
-
 /// All that the depths of some layers depend on.
 struct DrawnScene {
     std::vector<SurfaceLayer> layers;

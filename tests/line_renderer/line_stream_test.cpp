@@ -45,8 +45,8 @@ std::vector<StreamPoint> written_stream(const laplacian_lines::LineSet& lines,
 /// 1000 x 700 pixels.
 StreamSettings settings() {
     StreamSettings result;
-    result.radii.full.fill(3);
-    result.screen.half_viewport = {500, 350};
+    result.radii.fill(3);
+    result.half_viewport = {500, 350};
     result.tolerance.depth.fill(0.02f);
     result.is_measured = true;
     return result;
