@@ -25,18 +25,16 @@ using laplacian_lines::PrecomputeOptions;
 namespace {
 
 /// The rows of the core's table that the filter offers; others keep their defaults.
-std::vector<laplacian_lines::OptionRow<PrecomputeOptions>> make_table() {
-    std::vector<laplacian_lines::OptionRow<PrecomputeOptions>> rows;
-    for (const std::string key :
-         {"kernel_size", "normal_smoothing", "normal_sigma", "weld_duplicates", "laplace_operator",
-          "gradient_estimator", "curvature_derivatives"})
-        for (const auto& row : laplacian_lines::precompute_option_table())
-            if (row.key == key) rows.push_back(row);
-    return rows;
-}
-
 const auto& option_table() {
-    static const auto table = make_table();
+    static const auto table = [] {
+        std::vector<laplacian_lines::OptionRow<PrecomputeOptions>> rows;
+        for (const std::string key :
+             {"kernel_size", "normal_smoothing", "normal_sigma", "weld_duplicates",
+              "laplace_operator", "gradient_estimator", "curvature_derivatives"})
+            for (const auto& row : laplacian_lines::precompute_option_table())
+                if (row.key == key) rows.push_back(row);
+        return rows;
+    }();
     return table;
 }
 

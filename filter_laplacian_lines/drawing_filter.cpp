@@ -26,13 +26,6 @@ const char* const kFilterName = "Export Laplacian Lines Drawing";
 // Progress at the end of each step.
 constexpr double kFieldShare = 0.05, kSheetShare = 0.98;
 
-Eigen::Vector3d size_of(const WorldLayers& layers) {
-    Eigen::AlignedBox3d box;
-    for (const WorldLayer& layer : layers)
-        box.extend(line_drawing::bounds_of(layer.mesh));
-    return box.sizes();
-}
-
 /// Name, scale and paper of the drawing, and the size of the object in the chosen unit.
 QString report(const WorldLayers& layers, const QString& file, const Sheet& sheet,
                const Eigen::Vector3d& size, const SheetOptions& options) {
@@ -124,7 +117,8 @@ void run(const meshlab_host::FilterRun& run) {
     laplacian_lines::report(run.progress, 1, "Writing the drawing");
     const QString file = write(sheet, layers, name);
 
-    const Eigen::Vector3d size = options.mm_per_unit * size_of(layers);
+    const Eigen::Vector3d size =
+        options.mm_per_unit * line_drawing::bounds_of(objects_of(layers)).sizes();
     run.say(report(layers, file, sheet, size, options));
     for (const std::string& remark : sheet.remarks)
         run.say(QString::fromStdString(remark));

@@ -21,7 +21,7 @@ std::vector<const char*> view_names() {
     std::vector<const char*> names = {"Current View of the Window",
                                       "Perspective, from the Viewpoint",
                                       "Orthographic, along the View Direction"};
-    for (const char* side : line_drawing::side_names())
+    for (const char* side : line_drawing::kSideNames)
         names.push_back(side);
     return names;
 }
@@ -87,11 +87,6 @@ vcg::Box3d usable_box(const MeshModel& mesh) {
 
 }  // namespace
 
-line_drawing::ViewFrame side_view(ViewChoice choice) {
-    return frame_of_side(line_drawing::Side(int(choice) - int(ViewChoice::Front)),
-                         line_drawing::UpAxis::Y);
-}
-
 PolylineParameters polyline_defaults(const MeshModel* mesh,
                                      const std::optional<meshlab_host::CurrentView>& window) {
     Parameters result;
@@ -102,9 +97,7 @@ PolylineParameters polyline_defaults(const MeshModel* mesh,
     } else if (mesh) {
         const vcg::Box3d box = usable_box(*mesh);
         if (!box.IsNull()) {
-            const auto middle = box.Center();
-            const auto centre =
-                mesh->cm.Tr * Point3m(Scalarm(middle[0]), Scalarm(middle[1]), Scalarm(middle[2]));
+            const auto centre = mesh->cm.Tr * Point3m::Construct(box.Center());
             result.viewpoint = Eigen::Vector3d(double(centre[0]), double(centre[1]),
                                                double(centre[2]) + 1.5 * box.Diag());
         }

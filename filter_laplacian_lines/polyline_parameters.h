@@ -23,9 +23,6 @@ enum class ViewChoice {
     Bottom
 };
 
-/// Orthographic along a world axis, as in MeshLab's menu; for choices from Front on.
-line_drawing::ViewFrame side_view(ViewChoice choice);
-
 /// Points and directions are in world coordinates.
 struct PolylineParameters {
     ViewChoice view = ViewChoice::Front;

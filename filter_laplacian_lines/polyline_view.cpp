@@ -51,7 +51,9 @@ ViewFrame frame_of(const PolylineParameters& chosen, const Eigen::Vector3d& cent
         default:
             break;
     }
-    ViewFrame side = side_view(chosen.view);
+    const int number = int(chosen.view) - int(ViewChoice::Front);
+    ViewFrame side =
+        line_drawing::frame_of_side(line_drawing::Side(number), line_drawing::UpAxis::Y);
     side.towards_viewer += Eigen::Vector3d::Zero();  // no -0
     return side;
 }

@@ -19,17 +19,6 @@ std::string note_of(const std::vector<ReadMesh>& meshes) {
     return line_drawing::joined(names, ", ");
 }
 
-/// With the meshes' names.
-line_drawing::SheetOptions options_for(const std::vector<ReadMesh>& meshes,
-                                       line_drawing::SheetOptions options) {
-    Words titles;
-    for (const ReadMesh& read : meshes)
-        titles.push_back(read.title);
-    options.title = line_drawing::title_of(options.title, titles);
-    options.source = note_of(meshes);
-    return options;
-}
-
 std::vector<line_drawing::SourceMesh> sources_of(const std::vector<ReadMesh>& meshes) {
     std::vector<line_drawing::SourceMesh> sources;
     for (const ReadMesh& read : meshes)
@@ -68,13 +57,18 @@ ReadMesh read_and_report(const std::string& file, const CommandLine& commands) {
 
 std::vector<Sheet> draw_into(const std::string& file, const std::vector<ReadMesh>& meshes,
                              const CommandLine& commands) {
-    std::vector<line_drawing::SheetOptions> options = {options_for(meshes, commands.options)};
+    Words titles;
+    line_drawing::Objects objects;
+    for (const ReadMesh& read : meshes) {
+        titles.push_back(read.title);
+        objects.push_back({read.mesh, nullptr, read.file});
+    }
+    std::vector<line_drawing::SheetOptions> options = {commands.options};
+    options[0].title = line_drawing::title_of(options[0].title, titles);
+    options[0].source = note_of(meshes);
     const std::vector<std::string> remarks = line_drawing::check_texts(options[0], file);
     if (commands.is_collection)
         options.push_back(line_drawing::contact_options(meshes.front().mesh, options[0]));
-    line_drawing::Objects objects;
-    for (const ReadMesh& read : meshes)
-        objects.push_back({read.mesh, nullptr, read.file});
     std::vector<Sheet> sheets = line_drawing::make_sheets(objects, options);
     sheets[0].provenance = line_drawing::provenance_text(sources_of(meshes), commands.words);
     line_drawing::write_atomically(file, write_sheet(sheets[0], file, commands.choices.dpi));

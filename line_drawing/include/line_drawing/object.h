@@ -26,5 +26,6 @@ using Objects = std::vector<Object>;
 
 /// Of the triangles' vertices that are finite, and that the mesh had before it was refined.
 Eigen::AlignedBox3d bounds_of(const laplacian_lines::TriangleMesh& mesh);
+Eigen::AlignedBox3d bounds_of(const Objects& objects);
 
 }  // namespace line_drawing

@@ -18,7 +18,7 @@ struct SheetChoices {
     std::string views = "front", sections, scale = "fit";
     std::string title;  ///< empty: none
     std::string kinds = "usual", kernel = "auto", smoothing = "auto";
-    int paper = 1;  ///< of paper_names(), and one more: as large as the drawing
+    int paper = 1;  ///< of paper_names()
     int unit = 0;   ///< of kMeshUnits
     Weights weights = Weights::Illustrator;
     bool is_of_all_layers = false;  ///< the visible ones

@@ -107,7 +107,7 @@ struct SheetOptions : SheetLook {
     std::optional<Eigen::Vector3d> light;
 };
 
-/// "a5" to "a0".
+/// "a5" to "a0", and "fit".
 std::vector<const char*> paper_names();
 
 /// From "1:2", "2:1" or "fit" (0). @throws laplacian_lines::Error(InvalidOption)

@@ -40,8 +40,9 @@ ViewFrame frame_of_axes(const std::string& name, const Eigen::Vector3d& towards_
 /// From picture coordinates, x right, y up, z to the viewer, to mesh coordinates.
 Eigen::Vector3d in_mesh(const Eigen::Vector3d& direction, const ViewFrame& frame);
 
-/// "Front" to "Bottom", in the order of Side.
-std::array<const char*, 6> side_names();
+/// In the order of Side.
+inline constexpr std::array<const char*, 6> kSideNames = {"Front", "Back", "Left",
+                                                          "Right", "Top",  "Bottom"};
 
 /// As when walking around the upright object; the object's front is at the lower edge of the top
 /// view and at the upper edge of the bottom view.

@@ -39,12 +39,10 @@ std::string path_data(const Path& path) {
     return data;
 }
 
-/// Fonts that every PDF reader has: Helvetica in Windows' code page 1252, and Symbol.
-enum class StandardFont { Helvetica, Symbol };
-
-/// A part of a text in one font.
+/// A part of a text in one of the fonts that every PDF reader has: H, Helvetica in Windows' code
+/// page 1252, or S, Symbol.
 struct FontRun {
-    StandardFont font;
+    char font;
     std::string codes;
 };
 
@@ -94,7 +92,7 @@ StandardText in_standard_fonts(const std::string& text) {
     for (const char32_t letter : letters_of(text)) {
         const bool is_root = letter == kRoot;
         const char32_t found = is_root ? kCodeOfRoot : code_of(letter), code = found ? found : '?';
-        const StandardFont font = is_root ? StandardFont::Symbol : StandardFont::Helvetica;
+        const char font = is_root ? 'S' : 'H';
         if (result.runs.empty() || result.runs.back().font != font)
             result.runs.push_back({font, {}});
         result.runs.back().codes += char(code);
@@ -135,15 +133,12 @@ private:
 
     void add(const SheetText& text) {
         const StandardText standard = in_standard_fonts(text.text);
-        if (!standard.is_whole) {
-            return add(outlines_of(text));
-        }
+        if (!standard.is_whole) return add(outlines_of(text));
         const std::string height = in_thousandths(text.height);
         data_ += "0 g BT " + height + " 0 0 -" + height + ' ' +
                  coordinates(text.begin(standard.width * text.height)) + "Tm";
         for (const FontRun& run : standard.runs)
-            data_ += std::string(run.font == StandardFont::Symbol ? " /S" : " /H") + " 1 Tf (" +
-                     escaped(run.codes) + ") Tj";
+            data_ += std::string(" /") + run.font + " 1 Tf (" + escaped(run.codes) + ") Tj";
         data_ += " ET\n";
     }
 

@@ -35,6 +35,7 @@ std::vector<const char*> paper_names() {
     std::vector<const char*> names;
     for (const Paper& paper : kPapers)
         names.push_back(paper.name);
+    names.push_back("fit");
     return names;
 }
 

@@ -12,25 +12,9 @@ using Place = SheetOption::Place;
 constexpr auto kLook = &S::look;
 
 SheetOption text(std::string S::*member, const char* key, const char* label, const char* help,
-                 const char* form, Place place = Place::Both) {
-    return {rows::text(member, key, label, help), place, {}, form};
-}
-
-SheetOption sections() {
-    SheetOption option = text(
-        &S::sections, "sections", "Sections",
-        "What planes across the axes of the world cut: such as x=0.5 y=0.3, where 0 to 1 runs from "
-        "one end of the object to the other. Empty: none.",
-        "x|y|z=0..1");
-    option.command_word = "section";
-    option.is_repeatable = true;
-    return option;
-}
-
-std::vector<const char*> papers() {
-    std::vector<const char*> names = paper_names();
-    names.push_back("fit");
-    return names;
+                 const char* form, Place place = Place::Both, const char* command_word = nullptr,
+                 bool is_repeatable = false) {
+    return {rows::text(member, key, label, help), place, {}, form, command_word, is_repeatable};
 }
 
 template <class Table, class Row>
@@ -61,7 +45,7 @@ std::vector<SheetOption> make_table() {
              "the paper.",
              "1:2|fit"),
         {rows::choice<&S::paper>(
-            "paper", "Paper", papers(),
+            "paper", "Paper", paper_names(),
             "Upright or lying, whichever takes the drawing larger. fit: as large as the drawing.")},
         {rows::choice<&S::unit>(
             "unit", "Unit of the Mesh", column_of(kMeshUnits, &MeshUnit::name),
@@ -69,7 +53,10 @@ std::vector<SheetOption> make_table() {
         {rows::choice<kLook, &SheetLook::up>(
             "up", "Upward Axis", {"x", "y", "z"},
             "The axis of the world that points up in named views.")},
-        sections(),
+        text(&S::sections, "sections", "Sections",
+             "What planes across the axes of the world cut: such as x=0.5 y=0.3, where 0 to 1 runs "
+             "from one end of the object to the other. Empty: none.",
+             "x|y|z=0..1", Place::Both, "section", true),
         text(&S::title, "title", "Title", "Above the notes. {name}: the mesh's.", "TEXT"),
         {rows::choice<&S::is_of_all_layers>(
              "layers", "Layers", {"Current Layer", "All Visible Layers"},

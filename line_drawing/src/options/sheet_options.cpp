@@ -196,9 +196,7 @@ SheetOptions sheet_options(const SheetChoices& chosen, const NamedViews& others)
     if (!trimmed(chosen.views).empty() || options.sections.empty())
         options.views = parse_views(chosen.views, chosen.look.up, others);
     options.scale = parse_scale(chosen.scale);
-    const std::vector<const char*> papers = paper_names();
-    const auto paper = std::size_t(chosen.paper);
-    options.paper = paper < papers.size() ? papers[paper] : "fit";
+    options.paper = paper_names().at(std::size_t(chosen.paper));
     options.mm_per_unit = kMeshUnits[chosen.unit].mm;
     if (!format_of(chosen.file).has_tapered_strokes) options.strokes = StrokeStyle::Plain;
     options.title = chosen.title;

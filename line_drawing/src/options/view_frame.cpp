@@ -14,8 +14,6 @@ using Eigen::Vector3d;
 
 const char* const kToward = "toward";
 const char* const kFrom = "from";
-constexpr std::array<const char*, 6> kSideNames = {"Front", "Back", "Left",
-                                                   "Right", "Top",  "Bottom"};
 
 Vector3d up_of(UpAxis axis) {
     return Vector3d::Unit(int(axis));
@@ -23,14 +21,6 @@ Vector3d up_of(UpAxis axis) {
 
 Vector3d front_of(UpAxis axis) {
     return axis == UpAxis::Z ? Vector3d(0, -1, 0) : Vector3d(0, 0, 1);
-}
-
-/// A half section from the front.
-ViewFrame frame_of_vessel(UpAxis axis) {
-    ViewFrame frame = frame_of_side(Side::Front, axis);
-    frame.name = "Vessel";
-    frame.is_half_section = true;
-    return frame;
 }
 
 class ViewWords {
@@ -57,7 +47,12 @@ private:
         const std::string name = lower(word);
         for (std::size_t side = 0; side < kSideNames.size(); ++side)
             if (name == lower(kSideNames[side])) return frame_of_side(Side(side), up_);
-        if (name == "vessel") return frame_of_vessel(up_);
+        if (name == "vessel") {
+            ViewFrame frame = frame_of_side(Side::Front, up_);
+            frame.name = "Vessel";
+            frame.is_half_section = true;
+            return frame;
+        }
         if (name == kToward) return read_frame();
         for (const auto& [other, frame] : others_)
             if (name == lower(other)) return frame;
@@ -117,10 +112,6 @@ Section section_from(const std::string& word) {
 
 }  // namespace
 
-std::array<const char*, 6> side_names() {
-    return kSideNames;
-}
-
 Vector3d in_mesh(const Vector3d& direction, const ViewFrame& frame) {
     return direction.x() * frame.right + direction.y() * frame.up +
            direction.z() * frame.towards_viewer;
@@ -128,26 +119,12 @@ Vector3d in_mesh(const Vector3d& direction, const ViewFrame& frame) {
 
 ViewFrame frame_of_side(Side side, UpAxis axis) {
     const Vector3d up = up_of(axis), front = front_of(axis), right = up.cross(front);
-    const std::string name = kSideNames[std::size_t(side)];
-    const auto frame_towards = [&](const Vector3d& viewer, const Vector3d& upwards) {
-        ViewFrame frame = frame_of_axes(name, viewer, upwards);
-        frame.side = side;
-        return frame;
-    };
-    switch (side) {
-        case Side::Back:
-            return frame_towards(-front, up);
-        case Side::Left:
-            return frame_towards(-right, up);
-        case Side::Right:
-            return frame_towards(right, up);
-        case Side::Top:
-            return frame_towards(up, -front);
-        case Side::Bottom:
-            return frame_towards(-up, front);
-        default:
-            return frame_towards(front, up);
-    }
+    const Vector3d viewers[] = {front, -front, -right, right, up, -up},
+                   upwards[] = {up, up, up, up, -front, front};
+    const auto i = std::size_t(side);
+    ViewFrame frame = frame_of_axes(kSideNames[i], viewers[i], upwards[i]);
+    frame.side = side;
+    return frame;
 }
 
 ViewFrame frame_of_direction(double azimuth, double elevation, UpAxis axis) {

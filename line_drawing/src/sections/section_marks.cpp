@@ -34,12 +34,9 @@ SheetPath arrow_head(const Vector2d& tip, const Vector2d& direction) {
 
 /// The distance from `from` to the border of a rectangle along `direction`.
 double reach_of(const Eigen::AlignedBox2d& place, const Vector2d& from, const Vector2d& direction) {
-    using Box = Eigen::AlignedBox2d;
-    double reach = 0;
-    for (const Box::CornerType corner :
-         {Box::TopLeft, Box::TopRight, Box::BottomLeft, Box::BottomRight})
-        reach = std::max(reach, direction.dot(place.corner(corner) - from));
-    return reach;
+    const Vector2d low = direction.cwiseProduct(place.min() - from),
+                   high = direction.cwiseProduct(place.max() - from);
+    return std::max(0., low.cwiseMax(high).sum());
 }
 
 /// From a view, whose y points up.

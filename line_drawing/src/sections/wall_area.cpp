@@ -29,14 +29,6 @@ DrawnPoint point_at(const DrawnPoint& a, const DrawnPoint& b, double t) {
     return t == 0 ? a : t == 1 ? b : between(a, b, t);
 }
 
-/// Joins the last part to the first where a closed line begins.
-void join_at_begin(std::vector<DrawnLine>& parts) {
-    std::vector<DrawnPoint>& last = parts.back().points;
-    const std::vector<DrawnPoint>& first = parts.front().points;
-    last.insert(last.end(), first.begin() + 1, first.end());
-    parts.erase(parts.begin());
-}
-
 std::vector<DrawnLine> parts_outside(const WallArea& area, const DrawnLine& line) {
     std::vector<DrawnLine> parts;
     bool goes_on = false, begins_outside = false;
@@ -54,10 +46,11 @@ std::vector<DrawnLine> parts_outside(const WallArea& area, const DrawnLine& line
         if (stretches.empty()) goes_on = false;
     }
     if (line.closed && begins_outside && goes_on) {
-        if (parts.size() == 1)
-            parts[0].closed = true;
-        else
-            join_at_begin(parts);
+        parts[0].closed = parts.size() == 1;
+        if (parts[0].closed) return parts;
+        std::vector<DrawnPoint>& last = parts.back().points;
+        last.insert(last.end(), parts[0].points.begin() + 1, parts[0].points.end());
+        parts.erase(parts.begin());
     }
     return parts;
 }

@@ -28,10 +28,6 @@ struct Grid {
     double row_height() const { return cell + kCaptionHeight + kCellGap; }
 };
 
-double room_below(const std::string& title) {
-    return title.empty() ? 0 : 2 * kTitleHeight;
-}
-
 /// The grid with the largest cells in the fewest rows.
 Grid fill_paper(const Vector2d& paper, int count, double title_room) {
     const double width = paper.x() - 2 * kSheetMargin,
@@ -119,7 +115,8 @@ SheetOptions contact_options(const laplacian_lines::TriangleMesh& mesh,
 }
 
 Sheet make_contact_sheet(const std::vector<ContactEntry>& entries, const std::string& title) {
-    const Grid grid = choose_grid(std::max(1, int(entries.size())), room_below(title));
+    const Grid grid =
+        choose_grid(std::max(1, int(entries.size())), title.empty() ? 0 : 2 * kTitleHeight);
     Sheet sheet{grid.paper, title, {}, 1};
     const double left = (grid.paper.x() - grid.columns * (grid.cell + kCellGap) + kCellGap) / 2;
     for (std::size_t i = 0; i < entries.size(); ++i) {

@@ -10,27 +10,12 @@ namespace {
 
 constexpr int kOthersInARow = 4;  // as many as six views have columns
 
-/// Around the front view, in first angle.
-Cell cell_of(Side side) {
-    switch (side) {
-        case Side::Back:
-            return {0, 2};
-        case Side::Left:
-            return {0, 1};
-        case Side::Right:
-            return {0, -1};
-        case Side::Top:
-            return {1, 0};
-        case Side::Bottom:
-            return {-1, 0};
-        default:
-            return {0, 0};
-    }
-}
+/// Around the front view, in first angle, by Side.
+constexpr Cell kCells[] = {{0, 0}, {0, 2}, {0, 1}, {0, -1}, {1, 0}, {-1, 0}, {0, 0}};
 
 /// In third angle the sides change places, but the back stays on the right.
 Cell cell_of(Side side, Arrangement arrangement) {
-    const Cell cell = cell_of(side);
+    const Cell& cell = kCells[std::size_t(side)];
     const bool is_swapped = arrangement == Arrangement::ThirdAngle && side != Side::Back;
     return is_swapped ? Cell{-cell.row, -cell.column} : cell;
 }

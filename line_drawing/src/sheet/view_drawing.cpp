@@ -119,12 +119,6 @@ SheetPath filled(const Wall& loops, double tone = 0) {
     return area;
 }
 
-/// Appends the corners from the first point to before the last one.
-void append_corners(const Loop& loop, std::size_t first, std::size_t last, Loop& corners) {
-    for (const std::size_t i : corners_of(loop, first, last, kAreaTolerance))
-        corners.push_back(loop[i]);
-}
-
 /// Simplifies a closed loop, also where it begins.
 Loop corners_of(Loop loop) {
     loop.pop_back();
@@ -137,8 +131,10 @@ Loop corners_of(Loop loop) {
         std::size_t(std::max_element(loop.begin(), loop.end(), by_place) - loop.begin());
     loop.push_back(loop.front());
     Loop corners;
-    append_corners(loop, 0, rightmost, corners);
-    append_corners(loop, rightmost, loop.size() - 1, corners);
+    for (const auto& [first, last] :
+         {std::pair(std::size_t(0), rightmost), std::pair(rightmost, loop.size() - 1)})
+        for (const std::size_t i : line_drawing::corners_of(loop, first, last, kAreaTolerance))
+            corners.push_back(loop[i]);
     return corners;
 }
 

@@ -164,17 +164,10 @@ ObjectLines::Extractors ObjectLines::compute(const SheetOptions& options, double
     return result;
 }
 
-double ObjectLines::kernel_size() const {
+double ObjectLines::largest(double Extractor::*size) const {
     double largest = 0;
     for (const Extractor& own : in_use().extractors)
-        largest = std::max(largest, own.kernel);
-    return largest;
-}
-
-double ObjectLines::detail() const {
-    double largest = 0;
-    for (const Extractor& own : in_use().extractors)
-        largest = std::max(largest, own.detail);
+        largest = std::max(largest, own.*size);
     return largest;
 }
 

@@ -37,9 +37,9 @@ public:
     std::vector<std::string> remarks() const { return in_use().remarks; }
 
     /// The largest √h, mesh units.
-    double kernel_size() const;
+    double kernel_size() const { return largest(&Extractor::kernel); }
     /// The largest √h or mean edge, mesh units: no mesh has finer detail.
-    double detail() const;
+    double detail() const { return largest(&Extractor::detail); }
 
 private:
     struct Extractor {
@@ -63,6 +63,7 @@ private:
                            const laplacian_lines::PrecomputeOptions& wanted);
 
     const Extractors& in_use() const { return kept_.front(); }
+    double largest(double Extractor::*size) const;
     void make_room();
     Extractors compute(const SheetOptions& options, double mm,
                        const laplacian_lines::PrecomputeOptions& wanted,

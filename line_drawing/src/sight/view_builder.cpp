@@ -32,13 +32,6 @@ laplacian_lines::VisibilityOptions visibility_options(const SheetOptions& option
             options.hidden != HiddenLines::LeftOut, true};
 }
 
-Eigen::AlignedBox3d bounds_of(const Objects& objects) {
-    Eigen::AlignedBox3d box;
-    for (const Object& object : objects)
-        box.extend(line_drawing::bounds_of(object.mesh));
-    return box;
-}
-
 TriangleMesh joined_mesh(const Objects& objects) {
     TriangleMesh all;
     for (const Object& object : objects) {

@@ -47,7 +47,9 @@ public:
         if (is_straight(first, last)) return path_.line_to(points_[last]);
         if (last - first > kLongestRun)
             return split(first, first + (last - first) / 2, last, begin, end);
-        std::vector<double> parameters = lengths_to(first, last);
+        std::vector<double> parameters = {0};
+        for (std::size_t i = first + 1; i <= last; ++i)
+            parameters.push_back(parameters.back() + (points_[i] - points_[i - 1]).norm());
         const double length = parameters.back();
         for (double& t : parameters)
             t = length > 0 ? t / length : 0;
@@ -55,7 +57,7 @@ public:
         for (int round = 0; round <= kMostImprovements; ++round) {
             const Cubic cubic = solve(first, parameters, length, begin, end);
             const double error = largest_error(cubic, first, parameters, worst);
-            if (error <= squared_tolerance_) return add(cubic);
+            if (error <= squared_tolerance_) return path_.curve_to(cubic[1], cubic[2], cubic[3]);
             if (error > kWorstMended * kWorstMended * squared_tolerance_) break;
             improve(cubic, first, parameters);
         }
@@ -87,24 +89,11 @@ private:
 
     void split(std::size_t first, std::size_t middle, std::size_t last, const Vector2d& begin,
                const Vector2d& end) {
-        const Vector2d tangent = tangent_through(middle, first, last);
+        const Vector2d before = tangent_from(middle, first),
+                       both = before - tangent_from(middle, last),
+                       tangent = both.squaredNorm() > 1e-6 ? both.normalized() : before;
         fit(first, middle, begin, tangent);
         fit(middle, last, -tangent, end);
-    }
-
-    Vector2d tangent_through(std::size_t i, std::size_t first, std::size_t last) const {
-        const Vector2d tangent = tangent_from(i, first) - tangent_from(i, last);
-        return tangent.squaredNorm() > 1e-6 ? Vector2d(tangent.normalized())
-                                            : tangent_from(i, first);
-    }
-
-    void add(const Cubic& c) { path_.curve_to(c[1], c[2], c[3]); }
-
-    std::vector<double> lengths_to(std::size_t first, std::size_t last) const {
-        std::vector<double> lengths = {0};
-        for (std::size_t i = first + 1; i <= last; ++i)
-            lengths.push_back(lengths.back() + (points_[i] - points_[i - 1]).norm());
-        return lengths;
     }
 
     /// Least squares for the lengths of both tangents.

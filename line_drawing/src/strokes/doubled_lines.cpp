@@ -79,7 +79,8 @@ public:
         std::vector<bool> is_same(points_.size()), is_beside(points_.size());
         for (std::size_t i = 0; i < points_.size(); ++i) {
             is_double_[i] = there.run_along(points_[i].position, way_at(i), reach);
-            is_beside[i] = is_double_[i] && there.run_beside(points_[i].position, way_at(i), reach);
+            is_beside[i] = is_double_[i] && there.run_along(points_[i].position, way_at(i), reach,
+                                                            kSameReach * reach);
             is_same[i] = is_double_[i] &&
                          there.run_along(points_[i].position, way_at(i), kSameReach * reach);
         }
@@ -116,14 +117,10 @@ private:
     }
 
     void forget_short_runs(std::vector<bool>& is_in, double shortest) const {
-        for (std::size_t begin = 0; begin < is_in.size();) {
-            double length = 0;
-            std::size_t end = begin + 1;
-            for (; end < is_in.size() && is_in[end] == is_in[begin]; ++end)
-                length += (points_[end].position - points_[end - 1].position).norm();
-            if (is_in[begin] && length < shortest)
-                std::fill(is_in.begin() + std::ptrdiff_t(begin),
-                          is_in.begin() + std::ptrdiff_t(end), false);
+        for (auto begin = is_in.begin(); begin != is_in.end();) {
+            const auto end = std::find(begin, is_in.end(), !*begin);
+            if (*begin && length_between(begin - is_in.begin(), end - is_in.begin()) < shortest)
+                std::fill(begin, end, false);
             begin = end;
         }
     }
@@ -134,15 +131,15 @@ private:
         for (auto begin = std::find(first, is_beside.end(), false); begin != is_beside.end();) {
             const auto end = std::find(begin, is_beside.end(), true);
             if (end == is_beside.end()) return;  // beyond the last one
-            double length = 0;
-            for (auto i = begin - is_beside.begin(); i < end - is_beside.begin(); ++i)
-                length += (points_[std::size_t(i)].position - points_[std::size_t(i) - 1].position)
-                              .norm();
-            if (length > longest)
-                std::fill(is_double_.begin() + (begin - is_beside.begin()),
-                          is_double_.begin() + (end - is_beside.begin()), false);
+            const auto from = begin - is_beside.begin(), to = end - is_beside.begin();
+            if (length_between(from - 1, to) > longest)
+                std::fill(is_double_.begin() + from, is_double_.begin() + to, false);
             begin = std::find(end, is_beside.end(), false);
         }
+    }
+
+    double length_between(std::ptrdiff_t begin, std::ptrdiff_t end) const {
+        return length_of(points_, std::size_t(begin), std::size_t(end));
     }
 
     /// What is left ends beside the line that it doubled, without a gap.

@@ -119,10 +119,6 @@ bool DrawnLines::Piece::is_passed(const Vector2d& point, double by) const {
     return at < -by || at > length + by;
 }
 
-bool DrawnLines::Piece::is_within(double distance, const Vector2d& point) const {
-    return distance_to(begin, end, point) < distance;
-}
-
 std::int64_t DrawnLines::square_of(double coordinate) const {
     return std::int64_t(std::floor(coordinate / reach_));
 }
@@ -166,23 +162,18 @@ bool DrawnLines::any_piece_near(const Vector2d& point, double within, Test test)
     return any_piece_in(Eigen::AlignedBox2d(point - room, point + room), test);
 }
 
-bool DrawnLines::run_along(const Vector2d& point, const Vector2d& way, double within) const {
+bool DrawnLines::run_along(const Vector2d& point, const Vector2d& way, double within,
+                           double beyond) const {
     return any_piece_near(point, within, [&](const Piece& piece) {
-        return piece.is_along(way) && piece.is_within(within, point);
-    });
-}
-
-bool DrawnLines::run_beside(const Vector2d& point, const Vector2d& way, double within) const {
-    return any_piece_near(point, within, [&](const Piece& piece) {
-        return piece.is_along(way) && !piece.is_passed(point, kSameReach * reach_) &&
-               piece.is_within(within, point);
+        return piece.is_along(way) && !piece.is_passed(point, beyond) &&
+               distance_to(piece.begin, piece.end, point) < within;
     });
 }
 
 bool DrawnLines::is_beside(const Vector2d& point, double within) const {
     return any_piece_near(point, within, [&](const Piece& piece) {
         const double by = kEndShare * (piece.end - piece.begin).norm();
-        return !piece.is_passed(point, by) && piece.is_within(within, point);
+        return !piece.is_passed(point, by) && distance_to(piece.begin, piece.end, point) < within;
     });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -31,11 +32,10 @@ public:
 
     void add(const std::vector<Eigen::Vector2d>& line, std::size_t number = 0);
 
-    /// Whether a line this near runs along the unit direction `way`, within 20°.
-    bool run_along(const Eigen::Vector2d& point, const Eigen::Vector2d& way, double within) const;
-
-    /// The same of lines beyond whose ends the point is not.
-    bool run_beside(const Eigen::Vector2d& point, const Eigen::Vector2d& way, double within) const;
+    /// Whether a line this near runs along the unit direction `way`, within 20°, and the point is
+    /// beyond its ends by no more than `beyond`.
+    bool run_along(const Eigen::Vector2d& point, const Eigen::Vector2d& way, double within,
+                   double beyond = INFINITY) const;
 
     /// Whether `point` is this near beside a line in any direction, not beyond its end.
     bool is_beside(const Eigen::Vector2d& point, double within) const;
@@ -71,7 +71,6 @@ private:
         bool is_along(const Eigen::Vector2d& way) const;
         /// Whether a point is before its begin or beyond its end by more than that.
         bool is_passed(const Eigen::Vector2d& point, double by) const;
-        bool is_within(double distance, const Eigen::Vector2d& point) const;
     };
     using Cell = std::uint64_t;
 

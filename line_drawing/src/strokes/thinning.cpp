@@ -220,14 +220,12 @@ private:
     /// Where lines only cross or meet, nothing is removed.
     void bridge(const std::vector<DrawnPoint>& points, std::vector<bool>& are_free) const {
         for (std::size_t begin = 0; begin < points.size();) {
-            std::size_t end = begin;
-            double length = 0;
-            while (end < points.size() && !are_free[end]) {
-                if (end > begin) length += (points[end].position - points[end - 1].position).norm();
-                ++end;
-            }
-            const auto from = std::ptrdiff_t(begin), to = std::ptrdiff_t(end),
+            const auto from = std::ptrdiff_t(begin),
+                       to = std::find(are_free.begin() + from, are_free.end(), true) -
+                            are_free.begin(),
                        rest = std::ptrdiff_t(points.size()) - to;
+            const auto end = std::size_t(to);
+            const double length = length_of(points, begin, end);
             const bool is_first = begin == 0, is_last = rest == 0;
             const bool meets =
                 std::any_of(points.begin() + from, points.begin() + to,

@@ -124,9 +124,9 @@ std::vector<Vector2d> positions_of(const DrawnLine& line) {
     return positions;
 }
 
-double length_of(const std::vector<DrawnPoint>& points, std::size_t begin) {
+double length_of(const std::vector<DrawnPoint>& points, std::size_t begin, std::size_t end) {
     double length = 0;
-    for (std::size_t i = begin + 1; i < points.size(); ++i)
+    for (std::size_t i = begin + 1; i < std::min(end, points.size()); ++i)
         length += (points[i].position - points[i - 1].position).norm();
     return length;
 }
@@ -184,6 +184,13 @@ Eigen::AlignedBox3d bounds_of(const TriangleMesh& mesh) {
     for (const laplacian_lines::Triangle& triangle : mesh.triangles)
         for (const std::uint32_t v : triangle)
             if (v < count && mesh.positions[v].allFinite()) box.extend(mesh.positions[v]);
+    return box;
+}
+
+Eigen::AlignedBox3d bounds_of(const Objects& objects) {
+    Eigen::AlignedBox3d box;
+    for (const Object& object : objects)
+        box.extend(bounds_of(object.mesh));
     return box;
 }
 

@@ -77,8 +77,9 @@ struct DrawnLine {
 DrawnLine with_points(const DrawnLine& line, std::vector<DrawnPoint> points, bool closed = false);
 std::vector<Eigen::Vector2d> positions_of(const DrawnLine& line);
 Eigen::AlignedBox2d box_of(const DrawnLine& line);
-/// The length from the point `begin` to the end.
-double length_of(const std::vector<DrawnPoint>& points, std::size_t begin = 0);
+/// The length from the point `begin` to the one before `end`.
+double length_of(const std::vector<DrawnPoint>& points, std::size_t begin = 0,
+                 std::size_t end = std::size_t(-1));
 
 /// Direction out of a line's end, from the first point `reach` away from it.
 Eigen::Vector2d outwards_at(const std::vector<DrawnPoint>& points, bool is_last, double reach);
