@@ -210,10 +210,12 @@ void DecorateLaplacianLines::keep(const MeshModel& mesh, const PreparedLinesPoin
     if (!document) return;
     const auto [known, is_new] = known_layers_.try_emplace(document);
     if (is_new) {
-        meshlab_host::when_meshes_change(document, this, [=](const std::vector<int>& alive) {
-            kept_.forget_all_but(document, alive);
+        connect(document, &MeshDocument::meshSetChanged, this,
+                [=] { kept_.forget_all_but(document, meshlab_host::layer_ids(*document)); });
+        connect(document, &QObject::destroyed, this, [=] {
+            kept_.forget_all_but(document, {});
+            known_layers_.erase(document);
         });
-        connect(document, &QObject::destroyed, this, [=] { known_layers_.erase(document); });
         const std::vector<int> alive = meshlab_host::layer_ids(*document);
         known->second.insert(alive.begin(), alive.end());
     }

@@ -6,6 +6,7 @@
 
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/option_rows.h"
+#include "line_drawing/sheet_choices.h"
 #include "meshlab_host/parameters.h"
 
 namespace {
@@ -15,13 +16,6 @@ using laplacian_lines::LineKind;
 using laplacian_lines::LineStyle;
 using Parameters = DecorationParameters;
 constexpr auto kStyle = &Parameters::style;
-
-std::vector<const char*> mixture_names() {
-    std::vector<const char*> names = {"As Ticked Below"};
-    for (const laplacian_lines::LineMixture& mixture : laplacian_lines::kLineMixtures)
-        names.push_back(mixture.label);
-    return names;
-}
 
 using Row = laplacian_lines::OptionRow<Parameters>;
 
@@ -104,7 +98,7 @@ const std::vector<Row>& decoration_table() {
             "eye. Archaeology: the same with the light from the upper left, or from where Light "
             "has it. Line Color and Surface count in the style Custom only."),
         choice<&Parameters::mixture>(
-            "lines", "Lines", mixture_names(),
+            "lines", "Lines", line_drawing::settings_names({"As Ticked Below"}),
             "The kinds ticked below, or one of the kinds of other papers with the outlines, "
             "whatever is ticked. The last has all at once, each in a color of its own."),
         real<kStyle, &LineStyle::detail>(

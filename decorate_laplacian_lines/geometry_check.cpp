@@ -36,8 +36,8 @@ constexpr qint64 kMillisecondsBetweenChecks = 250;
 
 }  // namespace
 
-GeometryCheck::GeometryCheck() : redraw_(std::make_unique<QTimer>()) {
-    redraw_->setSingleShot(true);
+GeometryCheck::GeometryCheck() {
+    redraw_.setSingleShot(true);
     since_check_.start();
 }
 
@@ -47,14 +47,14 @@ bool GeometryCheck::is_due(const Eigen::Matrix4d& modelview, unsigned presses, Q
     presses_ = presses;
     const qint64 wait = kMillisecondsBetweenChecks - since_check_.elapsed();
     if (!widget || !only_moved || wait <= 0) {
-        redraw_->stop();
+        redraw_.stop();
         since_check_.start();
         return true;
     }
-    if (!redraw_->isActive()) {
-        redraw_->disconnect();
-        QObject::connect(redraw_.get(), &QTimer::timeout, widget, [widget] { widget->update(); });
-        redraw_->start(int(wait));
+    if (!redraw_.isActive()) {
+        redraw_.disconnect();
+        QObject::connect(&redraw_, &QTimer::timeout, widget, [widget] { widget->update(); });
+        redraw_.start(int(wait));
     }
     return false;
 }

@@ -5,7 +5,6 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
-#include <memory>
 #include <optional>
 
 /// Counts presses and releases of keys and buttons anywhere in the program. Between two of them a
@@ -40,5 +39,5 @@ private:
     std::optional<Eigen::Matrix4d> modelview_;  ///< of the last redraw
     unsigned presses_ = 0;                      ///< until the last redraw
     QElapsedTimer since_check_;
-    std::unique_ptr<QTimer> redraw_;
+    QTimer redraw_;
 };

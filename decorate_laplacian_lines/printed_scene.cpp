@@ -73,11 +73,6 @@ void PrintedScene::transform_layers(const Progress& progress) {
     objects_ = std::move(objects);
 }
 
-void PrintedScene::ensure_derivatives(const Progress& progress) {
-    for (TransformedLayer& layer : transformed_)
-        if (layer.field) meshlab_host::ensure_derivatives(layer.mesh, *layer.field, progress);
-}
-
 void PrintedScene::prepare(const Progress& progress) {
     if (objects_.empty()) transform_layers(progress);
     if (!painter_) painter_.emplace(objects_);
@@ -88,7 +83,9 @@ Print PrintedScene::paint(const line_drawing::WindowView& window,
                           const DecorationParameters& chosen, bool may_wait,
                           const Progress& progress) {
     prepare(progress);
-    if (chosen.style.shows.needs_derivatives()) ensure_derivatives(progress);
+    for (TransformedLayer& layer : transformed_)
+        if (layer.field && chosen.style.shows.needs_derivatives())
+            meshlab_host::ensure_derivatives(layer.mesh, *layer.field, progress);
     std::vector<line_drawing::Ink> inks;
     for (const ColoredInk& ink : inks_of(chosen))
         inks.push_back(ink.ink);

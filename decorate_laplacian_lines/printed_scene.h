@@ -67,7 +67,6 @@ private:
     };
 
     void transform_layers(const laplacian_lines::Progress& progress);
-    void ensure_derivatives(const laplacian_lines::Progress& progress);
 
     const std::vector<LayerInScene> layers_;
     Eigen::Matrix4d to_world_;

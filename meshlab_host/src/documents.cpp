@@ -92,13 +92,6 @@ std::vector<int> layer_ids(const MeshDocument& document, bool only_shown) {
     return ids;
 }
 
-void when_meshes_change(const MeshDocument* document, QObject* receiver,
-                        const std::function<void(const std::vector<int>&)>& changed) {
-    QObject::connect(document, &MeshDocument::meshSetChanged, receiver,
-                     [=] { changed(layer_ids(*document)); });
-    QObject::connect(document, &QObject::destroyed, receiver, [=] { changed({}); });
-}
-
 void write_on_view(GLLogStream& log, const QString& title, const QString& mesh,
                    const QString& text) {
 #if MESHLAB_API < 2022

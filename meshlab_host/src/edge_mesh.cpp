@@ -38,12 +38,11 @@ void add_vertices(const LineSet& lines, CMeshO& mesh) {
     for (const Polyline& line : lines.lines)
         count += vertex_count(line);
     vcg::tri::Allocator<CMeshO>::AddVertices(mesh, count);
-    visit_vertices(
-        lines, [&](std::size_t vertex, const LinePoint& point, const Polyline&, std::size_t) {
-            const Eigen::Vector3d p = lines.position(point);
-            mesh.vert[vertex].P() = Point3m(Scalarm(p.x()), Scalarm(p.y()), Scalarm(p.z()));
-            mesh.vert[vertex].Q() = Scalarm(point.weight * point.opacity);
-        });
+    visit_vertices(lines,
+                   [&](std::size_t vertex, const LinePoint& point, const Polyline&, std::size_t) {
+                       mesh.vert[vertex].P() = point_of(lines.position(point));
+                       mesh.vert[vertex].Q() = Scalarm(point.weight * point.opacity);
+                   });
 }
 
 void add_edges(const LineSet& lines, CMeshO& mesh) {
@@ -79,9 +78,8 @@ struct OrientedPoints {
         for (std::size_t i = 0; i < all.size(); ++i) {
             const Eigen::Vector3d n = all[i].stableNormalized();
             if (n.isZero(0)) continue;
-            const Eigen::Vector3d& p = surface.positions[i];
-            positions.emplace_back(Scalarm(p.x()), Scalarm(p.y()), Scalarm(p.z()));
-            normals.emplace_back(Scalarm(n.x()), Scalarm(n.y()), Scalarm(n.z()));
+            positions.push_back(point_of(surface.positions[i]));
+            normals.push_back(point_of(n));
         }
     }
 

@@ -8,8 +8,7 @@ namespace meshlab_host {
 
 void add_result(const char* name, const Eigen::Vector3d& value, FilterResults& results) {
 #if MESHLAB_API >= 2022  // before, there were no results
-    results[name] =
-        QVariant::fromValue(Point3m(Scalarm(value.x()), Scalarm(value.y()), Scalarm(value.z())));
+    results[name] = QVariant::fromValue(point_of(value));
 #else
     results[name] = QVariantList{value.x(), value.y(), value.z()};
 #endif

@@ -51,19 +51,11 @@ void add(const ParameterText& text, RichParameterList& list, const Values&... va
     list.addParam(Rich(text.name, values..., text.label, text.tool_tip));
 }
 
-Point3m point_of(const Eigen::Vector3d& p) {
-    return {Scalarm(p.x()), Scalarm(p.y()), Scalarm(p.z())};
-}
-
 QStringList choices_of(const OptionDescription& option) {
     QStringList choices;
     for (const char* choice : option.choices)
         choices << choice;
     return choices;
-}
-
-QColor color_of(double value) {
-    return QColor(QRgb(value));
 }
 
 bool is_real(const OptionDescription& option) {
@@ -77,11 +69,6 @@ double checked_number(const Value& value, const OptionDescription& option) {
         (!is_real(option) && *result != std::floor(*result)))
         refuse_value(option, QString::number(*result).toStdString());
     return *result;
-}
-
-std::string checked_text(const Value& value, const OptionDescription& option) {
-    if (!value.isString()) refuse_value(option, "not a text");
-    return value.getString().toStdString();
 }
 
 Eigen::Vector3d checked_point(const Value& value, const OptionDescription& option) {
@@ -154,7 +141,7 @@ void add_parameter(const OptionDescription& option, const OptionValue& value,
         case OptionKind::Choice:
             return add<RichEnum>(text, list, int(std::get<double>(value)), choices_of(option));
         case OptionKind::Color:
-            return add<RichColor>(text, list, color_of(std::get<double>(value)));
+            return add<RichColor>(text, list, QColor(QRgb(std::get<double>(value))));
         case OptionKind::Text:
             return add<RichString>(text, list,
                                    QString::fromStdString(std::get<std::string>(value)));
@@ -177,7 +164,8 @@ OptionValue read_parameter(const OptionDescription& option, const OptionValue& f
     switch (option.kind) {
         case OptionKind::Text:
         case OptionKind::File:
-            return checked_text(value, option);
+            if (!value.isString()) refuse_value(option, "not a text");
+            return value.getString().toStdString();
         case OptionKind::Position:
         case OptionKind::Direction:
             return checked_point(value, option);
@@ -204,7 +192,7 @@ QString text_of(double value, const OptionDescription& option) {
         case OptionKind::Choice:
             return option.choices[std::size_t(value)];
         case OptionKind::Color:
-            return color_of(value).name();
+            return QColor(QRgb(value)).name();
         default:
             return QString::number(value, 'g', 9);
     }

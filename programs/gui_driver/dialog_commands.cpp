@@ -157,10 +157,6 @@ QTreeWidget* decoration_tree() {
     return tree;
 }
 
-void set_decoration_parameter(const Command& command) {
-    set_field(decoration_tree(), command);
-}
-
 void open_decoration_parameters(const Command&) {
     if (QTreeWidgetItem* first = decoration_tree()->topLevelItem(0)) first->setExpanded(true);
 }
@@ -239,7 +235,7 @@ void add_dialog_commands(CommandTable& table) {
     table["set"] = {[](const Command& c) { set_field(filter_dialog(), c); }};
     table["apply"] = {[](const Command&) { click_button(filter_dialog(), "Apply"); }};
     table["close"] = {[](const Command&) { click_button(filter_dialog(), "Close"); }};
-    table["setdeco"] = {set_decoration_parameter};
+    table["setdeco"] = {[](const Command& c) { set_field(decoration_tree(), c); }};
     table["open-parameters"] = {open_decoration_parameters};
     table["expect-open-parameters"] = {expect_open_parameters};
     table["expect-modal"] = in_modal(expect_modal);

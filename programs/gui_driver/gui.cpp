@@ -9,11 +9,10 @@
 #include <QMdiArea>
 #include <QMdiSubWindow>
 #include <QMessageBox>
-#include <QPlainTextEdit>
 #include <QPointer>
-#include <QTextEdit>
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "command_table.h"
 #include "meshlab_host/documents.h"
@@ -144,9 +143,7 @@ void answer_box(QWidget* modal) {
 }
 
 QStringList take_answered_texts() {
-    QStringList taken;
-    taken.swap(answered_texts);
-    return taken;
+    return std::exchange(answered_texts, {});
 }
 
 QString log_text() {
@@ -155,10 +152,8 @@ QString log_text() {
     if (!child_of_class("LayerDialog"))
         QMetaObject::invokeMethod(window, "showLayerDlg", Qt::DirectConnection, Q_ARG(bool, true));
     QMetaObject::invokeMethod(window, "updateLayerDialog", Qt::DirectConnection);  // and the log
-    if (const auto* panel = window->findChild<QPlainTextEdit*>("logPlainTextEdit"))
-        return panel->toPlainText();
-    if (const auto* panel = window->findChild<QTextEdit*>("logPlainTextEdit"))
-        return panel->toPlainText();
+    if (const auto* panel = window->findChild<QWidget*>("logPlainTextEdit"))
+        return panel->property("plainText").toString();  // of a QTextEdit or QPlainTextEdit
     throw CommandError("MeshLab's log panel was not found");
 }
 

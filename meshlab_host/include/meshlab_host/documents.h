@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QString>
-#include <functional>
 #include <vector>
 
 #include "meshlab_host/meshlab_api.h"
@@ -23,11 +22,6 @@ std::vector<const MeshModel*> layers_of(const MeshDocument& document);
 
 /// All layers of the document, or those that MeshLab shows, ascending.
 std::vector<int> layer_ids(const MeshDocument& document, bool only_shown = false);
-
-/// Calls `changed` with the ids of the document's meshes, ascending, when meshes come or go, and
-/// with none when it closes, as long as `receiver` lives. GUI thread only.
-void when_meshes_change(const MeshDocument* document, QObject* receiver,
-                        const std::function<void(const std::vector<int>&)>& changed);
 
 /// Shows text in the corner of the view until the next redraw. `mesh` is shown only if two boxes
 /// have the same title. GUI thread only, while drawing.

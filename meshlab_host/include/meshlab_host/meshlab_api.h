@@ -6,6 +6,8 @@
 
 #include <GL/glew.h>  // before every header that might include gl.h
 
+#include <Eigen/Core>
+
 #if MESHLAB_API < 2022
 #include <common/interfaces.h>
 #include <common/ml_shared_data_context.h>
@@ -58,6 +60,10 @@ using RichFileToSave = ::RichSaveFile;
 #else
 using RichFileToSave = ::RichFileSave;
 #endif
+
+inline Point3m point_of(const Eigen::Vector3d& p) {
+    return {Scalarm(p.x()), Scalarm(p.y()), Scalarm(p.z())};
+}
 
 /// In world coordinates.
 #if MESHLAB_API < 2022
