@@ -47,9 +47,7 @@ CameraMatrices camera_from_gl() {
 
 Eigen::Matrix4d layer_transform(const CMeshO& mesh) {
     Eigen::Matrix4d result;
-    for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column)
-            result(row, column) = double(mesh.Tr[row][column]);
+    mesh.Tr.ToEigenMatrix(result);
     return result;
 }
 

@@ -11,14 +11,6 @@ using line_drawing::Sheet;
 
 namespace {
 
-/// File names, incomplete ones marked by a word before them, since notes may be truncated.
-std::string note_of(const std::vector<ReadMesh>& meshes) {
-    Words names;
-    for (const ReadMesh& read : meshes)
-        names.push_back((read.defect.empty() ? "" : "incomplete: ") + read.source.name);
-    return line_drawing::joined(names, ", ");
-}
-
 std::vector<line_drawing::SourceMesh> sources_of(const std::vector<ReadMesh>& meshes) {
     std::vector<line_drawing::SourceMesh> sources;
     for (const ReadMesh& read : meshes)
@@ -57,15 +49,17 @@ ReadMesh read_and_report(const std::string& file, const CommandLine& commands) {
 
 std::vector<Sheet> draw_into(const std::string& file, const std::vector<ReadMesh>& meshes,
                              const CommandLine& commands) {
-    Words titles;
+    Words titles, files;
     line_drawing::Objects objects;
     for (const ReadMesh& read : meshes) {
         titles.push_back(read.title);
+        // a word before the name, since notes may be truncated
+        files.push_back((read.defect.empty() ? "" : "incomplete: ") + read.source.name);
         objects.push_back({read.mesh, nullptr, read.file});
     }
     std::vector<line_drawing::SheetOptions> options = {commands.options};
     options[0].title = line_drawing::title_of(options[0].title, titles);
-    options[0].source = note_of(meshes);
+    options[0].source = line_drawing::joined(files, ", ");
     const std::vector<std::string> remarks = line_drawing::check_texts(options[0], file);
     if (commands.is_collection)
         options.push_back(line_drawing::contact_options(meshes.front().mesh, options[0]));
