@@ -92,7 +92,7 @@ bool take_option(const std::string& word, Words& rest, Words& formats, CommandLi
     return true;
 }
 
-/// A folder of drawings exists, or is named like one.
+/// The drawing is a folder if there is a folder of this name, or if the name ends in a slash.
 void name_files(const Words& names, CommandLine& result) {
     if (names.size() < 2) refuse("name the drawing first, then the mesh; see --help.");
     if (is_named_like_mesh(names[0]))

@@ -15,16 +15,15 @@ using line_drawing::Words;
 struct EarlierDrawing {
     std::string version;
     std::vector<line_drawing::SourceMesh> meshes;
-    line_drawing::Words options;
+    Words options;
 };
 
 struct CommandLine {
     bool help = false, version = false;
     std::string drawing;  ///< the file to write, or of a collection the folder to write into
-    Words meshes;         ///< files; in a file, all are drawn together
+    Words meshes;         ///< files, drawn together, or each alone if they are a collection
     bool is_collection = false;
-    /// The options as given, without those of collections.
-    Words words;
+    Words words;                         ///< the options as given, without those of collections
     std::optional<EarlierDrawing> like;  ///< the drawing to repeat
     line_drawing::SheetChoices choices;  ///< with the file, or for a collection its ending
     line_drawing::SheetOptions options;

@@ -64,10 +64,10 @@ private:
     }
 
     std::string word() {
-        const std::size_t size =
-            rest_.find_first_not_of("+-.0123456789Eabcdefghijklmnopqrstuvwxyz");
+        const std::size_t size = std::min(
+            rest_.find_first_not_of("+-.0123456789Eabcdefghijklmnopqrstuvwxyz"), rest_.size());
         if (size == 0) throw std::invalid_argument("no value");
-        return std::string(take_bytes(std::min(size, rest_.size())));
+        return std::string(take_bytes(size));
     }
 
     std::string string() {

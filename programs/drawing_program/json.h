@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-/// A value of JSON (RFC 8259). Of three members two are empty.
+/// A value of JSON (RFC 8259). At most one of the three is not empty.
 struct Json {
     std::string text;  ///< of a string, in UTF-8; of numbers, true, false and null as written
     std::vector<Json> items;

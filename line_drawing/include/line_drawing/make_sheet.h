@@ -13,9 +13,9 @@
 namespace line_drawing {
 
 /// Measured drawings of one scene, which is prepared once: all views orthographic (or in
-/// perspective) at one scale, laid out on paper. Its objects hide each other and share a coordinate
-/// system, bounds and sections; each has its own lines. Any number of threads gives the same
-/// sheets.
+/// perspective) at one scale, laid out on paper, a sheet for each of `options`. Its objects hide
+/// each other and share a coordinate system, bounds and sections; each has its own lines. Any
+/// number of threads gives the same sheets.
 /// @throws laplacian_lines::Error: InvalidOption, also if a drawing does not fit its paper at its
 /// scale; InvalidMesh, EmptyMesh, FieldMismatch, Cancelled.
 std::vector<Sheet> make_sheets(const Objects& objects, const std::vector<SheetOptions>& options,
@@ -31,7 +31,7 @@ SheetOptions contact_options(const laplacian_lines::TriangleMesh& mesh,
 
 struct ContactEntry {
     std::string name;
-    Sheet view;
+    Sheet view;  ///< drawn with contact_options()
 };
 
 /// One page with all views in equal squares, name and size below each.

@@ -20,7 +20,7 @@ struct Object {
     /// Built from the field, or without one, from a field with the kernel `extractor_kernel`, for
     /// drawings that have to be fast. May be null.
     const laplacian_lines::LineExtractor* extractor = nullptr;
-    double extractor_kernel = 0;
+    double extractor_kernel = 0;  ///< √h, mesh units
 };
 using Objects = std::vector<Object>;
 

@@ -28,12 +28,12 @@ struct Path {
     /// Like curve_to(), adds nothing if the line ends there already.
     void line_to(const Point& p);
     void curve_to(const Point& first, const Point& second, const Point& end);
-    void close();
+    void close();  ///< by a straight piece to where the line began
     void add_rectangle(const Point& corner, double width, double height);
     void add_circle(const Point& center, double radius);
 
-    Path placed(double scale, const Point& shift) const;
-    Eigen::AlignedBox2d bounds() const;  ///< exact, also of curves
+    Path placed(double scale, const Point& shift) const;  ///< scaled, then shifted
+    Eigen::AlignedBox2d bounds() const;                   ///< exact, also of curves
     /// Polylines that are within `tolerance` of the curves.
     std::vector<std::vector<Point>> flattened(double tolerance) const;
 };

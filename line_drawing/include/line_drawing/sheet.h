@@ -8,8 +8,8 @@
 
 namespace line_drawing {
 
-/// A sheet of paper in millimetres, x right and y down from its upper left corner. Plain data, all
-/// that a file format needs.
+// A sheet of paper in millimetres, x right and y down from its upper left corner. Plain data, all
+// that a file format needs.
 
 /// A stroke of even width, or, if that is 0, an area filled by the path's fill rule.
 struct SheetPath {
@@ -23,11 +23,11 @@ enum class TextAnchor { Left, Middle, Right };  // in the order of their share o
 
 struct SheetText {
     Eigen::Vector2d position;  ///< on the base line, at `anchor` of the text
-    double height = 0;
+    double height = 0;  ///< of the font: letters without accents and descenders have about 0.7
     TextAnchor anchor = TextAnchor::Left;
     std::string text;
 
-    /// Where the path begins if its stroke is this wide.
+    /// The left end of the text if it is this wide.
     Eigen::Vector2d begin(double width) const {
         return position - Eigen::Vector2d(width * int(anchor) / 2, 0);
     }

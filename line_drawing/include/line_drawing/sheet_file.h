@@ -50,7 +50,7 @@ std::string provenance_text(const std::vector<SourceMesh>& meshes,
 /// The provenance in a file's bytes, and the bytes that follow; empty if there is none.
 std::string provenance_in(std::string bytes);
 
-/// Whether the provenance in a file's bytes names other meshes.
+/// Whether a file's bytes have a provenance, and it is not provenance_text(meshes) of any version.
 bool is_of_other_meshes(const std::string& bytes, const std::vector<SourceMesh>& meshes);
 
 }  // namespace line_drawing

@@ -85,7 +85,7 @@ struct SheetLook {
 
 struct SheetOptions : SheetLook {
     std::vector<ViewFrame> views;
-    std::vector<line_drawing::Section> sections;  ///< drawn after the views
+    std::vector<Section> sections;  ///< drawn after the views
     /// Drawn over true length; 0: the largest standard scale that fits the paper. Views in
     /// perspective have none: beside others they have their scale at the centre of the object,
     /// alone they fill the paper.

@@ -35,7 +35,7 @@ public:
     explicit DxfWriter(const Sheet& sheet) : sheet_(sheet) {
         for (const SheetGroup& group : sheet.groups)
             for (const SheetLayer& layer : group.layers)
-                note(name_of(group, layer), layer);
+                add_layer(name_of(group, layer), layer);
     }
 
     std::string write() {
@@ -66,7 +66,7 @@ private:
         return (is_one_of_many ? in_signs(group.key) + '_' : "") + in_signs(layer.key);
     }
 
-    void note(const std::string& name, const SheetLayer& layer) {
+    void add_layer(const std::string& name, const SheetLayer& layer) {
         if (layer.paths.empty() && layer.texts.empty()) return;
         const double dash = layer.paths.empty() ? 0 : layer.paths[0].dash;
         for (Layer& known : layers_)
@@ -130,7 +130,7 @@ private:
     void write_polyline(const std::vector<Eigen::Vector2d>& points, const std::string& layer) {
         const bool closed = points.size() > 2 && points.front() == points.back();
         write({{0, "POLYLINE"}, {8, layer}, {66, "1"}});
-        write_point(10, {0, sheet_.size.y()});
+        write_point(10, {0, sheet_.size.y()});  // without a meaning, but R12 wants one
         write({{70, closed ? "1" : "0"}});
         for (std::size_t i = 0; i < points.size() - std::size_t(closed); ++i) {
             write({{0, "VERTEX"}, {8, layer}});
@@ -160,7 +160,7 @@ private:
             else if (c < 128)
                 letters += c < ' ' ? ' ' : char(c);
             else if (c < 0x10000)
-                letters += "\\U+" + in_hexadecimal(c);
+                letters += in_hexadecimal(c, "\\U+");
             else
                 letters += '?';
         }

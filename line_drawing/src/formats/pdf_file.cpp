@@ -158,9 +158,7 @@ private:
 std::string text_string(const std::string& text) {
     std::string digits = "<FEFF";
     for (const char32_t c : letters_of(text))
-        digits += c < 0x10000
-                      ? in_hexadecimal(c)
-                      : in_hexadecimal(0xd7c0 + (c >> 10)) + in_hexadecimal(0xdc00 + (c & 0x3ff));
+        digits += in_hexadecimal(c);
     return digits + '>';
 }
 

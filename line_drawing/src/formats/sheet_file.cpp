@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_drawing/sheet_file.h"
 
-#include <algorithm>
-
 #include "formats/sheet_writers.h"
 #include "laplacian_lines/version.h"
 #include "planes/lettering.h"
@@ -20,10 +18,6 @@ std::string formats_of_any_letter() {
     return joined(names, " or ");
 }
 
-std::string number_of(char32_t unit) {
-    return "\\u" + lower(in_hexadecimal(unit));
-}
-
 /// A JSON string in ASCII, with UTF-16 escapes.
 std::string quoted(const std::string& text) {
     constexpr std::string_view escaped = "\"\\\b\f\n\r\t", letters = "\"\\bfnrt";
@@ -32,17 +26,15 @@ std::string quoted(const std::string& text) {
         const std::size_t escape = c < 127 ? escaped.find(char(c)) : escaped.npos;
         if (escape != escaped.npos)
             json += {'\\', letters[escape]};
-        else if (c >= 0x10000)
-            json += number_of(0xd7c0 + (c >> 10)) + number_of(0xdc00 + (c & 0x3ff));
         else if (c < ' ' || c >= 127 || c == '<' || c == '>' || c == '&')
-            json += number_of(c);
+            json += lower(in_hexadecimal(c, "\\u"));
         else
             json += char(c);
     }
     return json + '"';
 }
 
-/// The members of a JSON object, without its end.
+/// A member of a JSON object.
 std::string meshes_text(const std::vector<SourceMesh>& meshes) {
     Words list;
     for (const SourceMesh& mesh : meshes) {

@@ -64,7 +64,7 @@ private:
     int points_ = 0;
 };
 
-/// For text and attributes. XML has no other control characters.
+/// For text and attributes; control characters, of which XML forbids most, become spaces.
 std::string escaped(const std::string& text) {
     std::string result;
     for (const char c : text) {
@@ -93,7 +93,6 @@ public:
         attribute("height", height + "mm");
         attribute("viewBox", "0 0 " + width + ' ' + height);
         svg_ += '>';
-        depth_ = 1;
         if (!sheet.title.empty()) {
             begin("title");
             content("title", escaped(sheet.title));
@@ -183,7 +182,7 @@ private:
     }
 
     std::string svg_;
-    std::size_t depth_ = 0;
+    std::size_t depth_ = 1;  ///< of the element to begin
 };
 
 }  // namespace

@@ -53,7 +53,7 @@ std::vector<double> usual_scales() {
 Pens finer(Pens pens, std::ptrdiff_t steps) {
     for (double& pen : pens) {
         const auto place = std::lower_bound(kPenSeries.begin(), kPenSeries.end(), pen);
-        if (steps == 0 || place == kPenSeries.end()) continue;
+        if (place == kPenSeries.end()) continue;
         const std::ptrdiff_t at = place - kPenSeries.begin();
         pen = std::min(pen, kPenSeries[std::size_t(std::max<std::ptrdiff_t>(0, at - steps))]);
     }

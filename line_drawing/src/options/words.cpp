@@ -35,7 +35,8 @@ char32_t take_letter(std::string_view& text) {
     for (; i < length && i < text.size() && (byte(i) & 0xc0) == 0x80; ++i)
         letter = letter << 6 | (byte(i) & 0x3f);
     const bool is_whole = length > 0 && i == length && letter >= least[length] &&
-                          letter <= 0x10ffff && (letter < 0xd800 || letter > 0xdfff);
+                          letter <= 0x10ffff && (letter < 0xd800 || letter > 0xdfff) &&
+                          letter != 0xfffe && letter != 0xffff;
     text.remove_prefix(is_whole ? length : 1);
     return is_whole ? letter : kReplacement;
 }
@@ -113,10 +114,13 @@ std::string in_thousandths(double x) {
     return thousandths(std::llround(1000 * x));
 }
 
-std::string in_hexadecimal(char32_t number) {
-    std::string digits;
+std::string in_hexadecimal(char32_t letter, const std::string& before) {
+    if (letter >= 0x10000)
+        return in_hexadecimal(0xd7c0 + (letter >> 10), before) +
+               in_hexadecimal(0xdc00 + (letter & 0x3ff), before);
+    std::string digits = before;
     for (int shift = 12; shift >= 0; shift -= 4)
-        digits += "0123456789ABCDEF"[number >> shift & 15];
+        digits += "0123456789ABCDEF"[letter >> shift & 15];
     return digits;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "line_drawing/words.h"
 #include "options/paper_and_pens.h"
 #include "sheet/sheet_annotations.h"
 #include "sheet/sheet_layout.h"
@@ -59,7 +60,7 @@ SheetText caption(const std::string& text, double height, double base, const Box
     return {{cell.center().x(), base},
             height,
             TextAnchor::Middle,
-            elided(text, height, cell.sizes().x())};
+            elided(one_line(text), height, cell.sizes().x())};
 }
 
 Box extent_of(const Sheet& sheet) {
@@ -117,7 +118,7 @@ SheetOptions contact_options(const laplacian_lines::TriangleMesh& mesh,
 Sheet make_contact_sheet(const std::vector<ContactEntry>& entries, const std::string& title) {
     const Grid grid =
         choose_grid(std::max(1, int(entries.size())), title.empty() ? 0 : 2 * kTitleHeight);
-    Sheet sheet{grid.paper, title, {}, 1};
+    Sheet sheet{grid.paper, one_line(title), {}};
     const double left = (grid.paper.x() - grid.columns * (grid.cell + kCellGap) + kCellGap) / 2;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const int column = int(i) % grid.columns, row = int(i) / grid.columns;
@@ -128,7 +129,7 @@ Sheet make_contact_sheet(const std::vector<ContactEntry>& entries, const std::st
     }
     if (title.empty()) return sheet;
     const SheetText text{
-        {kSheetMargin, grid.paper.y() - kSheetMargin}, kTitleHeight, TextAnchor::Left, title};
+        {kSheetMargin, grid.paper.y() - kSheetMargin}, kTitleHeight, TextAnchor::Left, sheet.title};
     sheet.groups.push_back({"sheet", "Sheet", {{"title", "Title", {}, {text}}}});
     return sheet;
 }

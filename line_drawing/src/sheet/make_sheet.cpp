@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A drawing, step by step, each with the objects' largest data alone in memory:
+// A drawing, step by step; 2 and 3 never hold their large data of the objects at the same time:
 //  1. Views and sections are laid out on the page, which may refuse, before any long work.
 //  2. Lines of the surface are found at the scale of the page.
 //  3. What of them is seen is found view by view, and outlines are checked against the silhouette.
@@ -7,7 +7,6 @@
 #include "line_drawing/make_sheet.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <set>
@@ -30,7 +29,7 @@ using laplacian_lines::part;
 using laplacian_lines::Progress;
 
 constexpr double kCheckPixel = 0.25;       // mm on the sheet
-constexpr double kLargestDetail = 0.0401;  // of the diagonal: meshes without detail have none
+constexpr double kLargestDetail = 0.0401;  // of the diagonal: of coarser meshes no √h is noted
 // Progress at which lines are found, and visibility is prepared.
 constexpr double kLinesShare = 0.4, kSightShare = 0.55;
 constexpr std::size_t kMostTrianglesAtOnce = 2000000;  // for views in parallel
@@ -66,7 +65,7 @@ void make_keys_unique(std::vector<SheetGroup>& groups) {
     }
 }
 
-constexpr double kLeastMissing = 0.05;  // mm; less is no tenth
+constexpr double kLeastMissing = 0.05;  // mm: less would be reported as 0.0 mm
 
 std::string remark_on(const DrawnView& view, double missing) {
     return view.frame.name + ": " + in_decimals(missing, 1) +

@@ -48,7 +48,7 @@ struct FittedText {
     bool is_cut = false;
 };
 
-/// Breaks lines between words if possible; ends the last one with "…" if that is not all.
+/// Breaks lines between words if possible, and leaves out what `most_lines` do not hold.
 FittedText wrapped(std::u32string_view rest, double height, double width, std::size_t most_lines) {
     FittedText text{height, {}};
     while (!rest.empty() && text.lines.size() < most_lines) {
@@ -63,7 +63,8 @@ FittedText wrapped(std::u32string_view rest, double height, double width, std::s
     return text;
 }
 
-/// Wraps text in letters of `height`, or smaller ones, down to `least`, until it fits.
+/// Wraps text in letters of `height`, or smaller ones, down to `least`, until it fits; if it never
+/// does, the last line ends with "…".
 FittedText fit(const std::string& text, double height, double least, double width,
                std::size_t most_lines) {
     const std::u32string letters = letters_of(text);

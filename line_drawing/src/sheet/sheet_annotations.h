@@ -18,8 +18,9 @@ std::string name_of(const ViewFrame& frame, bool sheet_has_scale);
 /// without annotations.
 double least_strip_width(const std::vector<DrawnView>& views, const SheetOptions& options);
 
-/// Draws names of views, scale bar, projection symbol, title and notes. `kernel`: √h, mm on paper,
-/// for the notes, or 0. Appends remarks if texts are too long.
+/// Draws names of views, scale bar, projection symbol, title and notes. For the notes,
+/// `object_size` in mm of the object, and `kernel`, √h in mm on paper, or 0. Appends remarks if
+/// texts are too long.
 SheetGroup draw_annotations(const std::vector<DrawnView>& views, const SheetLayout& layout,
                             const Eigen::Vector3d& object_size, double kernel,
                             const SheetOptions& options, std::vector<std::string>& remarks);

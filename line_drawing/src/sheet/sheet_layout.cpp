@@ -58,6 +58,11 @@ bool are_in_perspective(const std::vector<DrawnView>& views) {
                        [](const DrawnView& view) { return view.frame.eye.has_value(); });
 }
 
+/// The part of the paper for views.
+Vector2d room_on(const Vector2d& paper) {
+    return {paper.x() - 2 * kSheetMargin, paper.y() - 2 * kSheetMargin - kStripHeight};
+}
+
 /// The table of views, at any scale.
 class Layout {
 public:
@@ -97,8 +102,7 @@ public:
     SheetLayout lay_out(double scale, const Vector2d& paper) {
         const Vector2d size = size_at(scale);
         const double left = (paper.x() - size.x()) / 2;
-        const double top =
-            kSheetMargin + (paper.y() - 2 * kSheetMargin - kStripHeight - size.y()) / 2;
+        const double top = kSheetMargin + (room_on(paper).y() - size.y()) / 2;
         SheetLayout layout{paper, scale, {}};
         for (const Cell& cell : cells_)
             layout.placements.push_back(
@@ -112,19 +116,15 @@ private:
     Bands rows_, columns_;
 };
 
-/// The part of the paper for views.
-Vector2d room_on(const Vector2d& paper) {
-    return {paper.x() - 2 * kSheetMargin, paper.y() - 2 * kSheetMargin - kStripHeight};
-}
-
 bool fits(const Vector2d& size, const Vector2d& paper) {
     return (size.array() <= room_on(paper).array()).all();
 }
 
-std::optional<double> largest_scale(Layout& layout, const Vector2d& paper) {
+/// The largest usual scale at which views fit; 0 if there is none.
+double largest_scale(Layout& layout, const Vector2d& paper) {
     for (const double scale : usual_scales())
         if (fits(layout.size_at(scale), paper)) return scale;
-    return {};
+    return 0;
 }
 
 /// The scale at which views fit on the paper, upright or lying: the options', or the largest usual
@@ -133,7 +133,7 @@ double possible_scale(Layout& layout, const SheetOptions& options, const Vector2
     double largest = 0;
     for (const Vector2d& paper : {upright, Vector2d(upright.reverse())})
         if (options.scale == 0)
-            largest = std::max(largest, largest_scale(layout, paper).value_or(0));
+            largest = std::max(largest, largest_scale(layout, paper));
         else if (fits(layout.size_at(options.scale), paper))
             largest = options.scale;
     return largest;
@@ -189,13 +189,11 @@ SheetLayout lay_out_filling(Layout& layout, const std::optional<Vector2d>& paper
 /// Upright or lying, whichever gives the larger scale.
 SheetLayout lay_out_largest(Layout& layout, const Vector2d& upright) {
     const Vector2d lying = upright.reverse();
-    const auto a = largest_scale(layout, upright), b = largest_scale(layout, lying);
-    if (!a && !b && (fits(layout.size_at(0), upright) || fits(layout.size_at(0), lying)))
+    const double a = largest_scale(layout, upright), b = largest_scale(layout, lying);
+    if (std::max(a, b) > 0) return b > a ? layout.lay_out(b, lying) : layout.lay_out(a, upright);
+    if (fits(layout.size_at(0), upright) || fits(layout.size_at(0), lying))
         refuse("The object is too large for any scale. Is the unit of the mesh right?");
-    if (!a && !b)
-        refuse(
-            "The paper has no room for so many views and sections. Take a larger one, or fewer.");
-    return b.value_or(0) > a.value_or(0) ? layout.lay_out(*b, lying) : layout.lay_out(*a, upright);
+    refuse("The paper has no room for so many views and sections. Take a larger one, or fewer.");
 }
 
 SheetLayout lay_out_at(Layout& layout, double scale, const Vector2d& upright,
@@ -203,8 +201,8 @@ SheetLayout lay_out_at(Layout& layout, double scale, const Vector2d& upright,
     const Vector2d size = layout.size_at(scale);
     for (const Vector2d& paper : {upright, Vector2d(upright.reverse())})
         if (fits(size, paper)) return layout.lay_out(scale, paper);
-    const auto best = std::max(largest_scale(layout, upright).value_or(0),
-                               largest_scale(layout, upright.reverse()).value_or(0));
+    const double best =
+        std::max(largest_scale(layout, upright), largest_scale(layout, upright.reverse()));
     refuse("At the scale " + scale_text(scale) + " the views take " +
            in_digits(std::ceil(size.x())) + " x " + in_digits(std::ceil(size.y())) + " mm, and " +
            upper(name) + " paper has room for " + in_digits(room_on(upright).x()) + " x " +

@@ -20,7 +20,7 @@ namespace {
 /// Nearer lines merge in print, in widths of outlines.
 constexpr double kDoubleReach = 0.4;
 constexpr double kAreaTone = 0.9;
-constexpr double kAreaTolerance = 0.001;    // mm: what files have
+constexpr double kAreaTolerance = 0.001;    // mm: the last digit of SVG and PDF
 constexpr double kContourSmoothing = 0.16;  // contours move by so much of the width of outlines
 constexpr double kInnerSmoothing = 0.6;     // inner lines by so much of their width
 constexpr double kLeastShare = 0.03;        // of the picture: least length of isolated lines

@@ -17,6 +17,7 @@ namespace line_drawing {
 /// has the scale 1.
 class Projection {
 public:
+    /// The frame outlives this.
     Projection(const ViewFrame& frame, const Eigen::Vector3d& middle);
 
     Eigen::Vector2d operator()(const Eigen::Vector3d& p) const;
@@ -70,7 +71,7 @@ struct DrawnLine {
     bool closed;  ///< ends with a copy of its first point
     std::vector<DrawnPoint> points;
     double jump = 0;  ///< of contours: largest step in depth to the surface behind, mm
-    laplacian_lines::LineKind kind = laplacian_lines::LineKind::Laplacian;  ///< but of sections
+    laplacian_lines::LineKind kind = laplacian_lines::LineKind::Laplacian;  ///< unused of sections
 };
 
 /// The same line with other points: an open part of it, if not closed.
