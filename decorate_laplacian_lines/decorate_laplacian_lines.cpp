@@ -77,7 +77,7 @@ Eigen::Vector2i viewport_size() {
     return {viewport[2], viewport[3]};
 }
 
-/// The upper left corner of a tile in a picture of `tiles` in a row.
+/// Pixel, in a picture of `tiles` in a row, of the upper left corner of the tile being drawn.
 Eigen::Vector2i corner_of(const Eigen::Matrix4d& projection, int tiles) {
     if (tiles == 1) return {0, 0};
     const Eigen::Array2d offset = meshlab_host::frustum_offset(projection);
@@ -116,8 +116,8 @@ ValidParameters DecorateLaplacianLines::valid_parameters(const RichParameterList
 
 bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList& parameters,
                                    GLArea* view) {
-    // Not at redraws: MeshLab restarts decorations whenever a parameter changes.
     const ValidParameters valid = valid_parameters(parameters);
+    // Not at redraws: MeshLab restarts decorations whenever a parameter changes.
     meshlab_host::note_drawn_style(drawn_style_of(valid.chosen));
     if (!has_looked_at_settings_) {
         const QString forgotten = forget_other_settings();

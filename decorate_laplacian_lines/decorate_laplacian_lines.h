@@ -81,8 +81,8 @@ private:
     KeptLines kept_;
     PrintedViews prints_;
     Print print_;  ///< of all layers, in the current redraw
-    std::map<const MeshDocument*, std::set<int>>
-        known_layers_;  ///< of the documents that are watched
+    /// Ids of the layers that are not new, of the documents that are watched.
+    std::map<const MeshDocument*, std::set<int>> known_layers_;
     /// The last message about meshes without lines, by log, which is never dereferenced, and mesh.
     std::map<std::pair<const GLLogStream*, int>, QString> logged_refusals_;
     meshlab_host::SnapshotDialog snapshot_dialog_;

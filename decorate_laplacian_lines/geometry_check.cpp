@@ -30,11 +30,7 @@ bool PressCount::eventFilter(QObject*, QEvent* event) {
     return false;
 }
 
-namespace {
-
 constexpr qint64 kMillisecondsBetweenChecks = 250;
-
-}  // namespace
 
 GeometryCheck::GeometryCheck() {
     redraw_.setSingleShot(true);

@@ -18,10 +18,10 @@
 /// loop. GUI thread only.
 class LineCache {
 public:
-    using View = const void*;  ///< a name, never followed
+    using View = const void*;  ///< a key, never dereferenced
 
+    /// Both return null if there are none.
     PreparedLinesPointer find(const meshlab_host::FieldKey& key) const;
-
     PreparedLinesPointer at(View view, int mesh) const;
     void assign(View view, int mesh, PreparedLinesPointer lines);
 
@@ -37,13 +37,12 @@ public:
     void release_unless_assigned(View view);
 
 private:
-    using User = std::pair<View, int>;
     struct Use {
         PreparedLinesPointer lines;
         unsigned turn;  ///< of the event loop, when they were assigned
         GeometryCheck check;
     };
-    using Uses = std::map<User, Use>;
+    using Uses = std::map<std::pair<View, int>, Use>;  ///< by view and mesh
 
     Uses::iterator retire(Uses::iterator use);
     template <class Condition>
@@ -65,7 +64,7 @@ private:
 /// used go, over all documents, when memory is short. GUI thread only.
 class KeptLines {
 public:
-    using Document = const void*;  ///< a name, never followed
+    using Document = const void*;  ///< a key, never dereferenced
 
     explicit KeptLines(std::size_t most_bytes = usual_bytes()) : most_bytes_(most_bytes) {}
     /// A quarter of this machine's memory.

@@ -54,14 +54,13 @@ PreparedLinesPointer prepare_lines(const CMeshO& mesh, const QString& mesh_name,
         result->surface = line_renderer::make_surface(triangles, field);
         result->extractor = std::make_shared<laplacian_lines::LineExtractor>(triangles, field);
         result->has_derivatives = field.has_derivatives();
+        const double kernel = field.scale.kernel_size;
         const bool is_in_mesh = meshlab_host::is_stored(mesh, triangles, source);
         if (!is_in_mesh && !result->has_derivatives) result->field = std::move(field);
-        if (triangles.triangles.size() <= PrintedScene::most_triangles) {
-            const double kernel = field.scale.kernel_size;
+        if (triangles.triangles.size() <= PrintedScene::most_triangles)
             result->printable = std::make_shared<PrintableMesh>(PrintableMesh{
                 std::move(triangles), is_in_mesh ? std::optional(std::move(field)) : std::nullopt,
                 source.options, result->extractor, kernel});
-        }
         result->bytes = bytes_of(*result);
     } catch (const std::bad_alloc&) {
         result->failure = "There is not enough memory for the lines of this mesh.";

@@ -14,7 +14,7 @@ using line_renderer::SurfaceStyle;
 
 namespace {
 
-/// Of what paints surfaces.
+/// None if surfaces stay as MeshLab draws them.
 std::optional<SurfaceStyle> style_of(SurfaceLook look) {
     if (look == SurfaceLook::Paper) return SurfaceStyle::Paper;
     if (look == SurfaceLook::Toon) return SurfaceStyle::Toon;

@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "line_renderer/surface_renderer.h"
+#include "line_renderer/surface.h"
 
 /// The surfaces of all layers that a view shows with lines. MeshLab draws layer after layer, but
 /// each may hide lines of any other, also of those drawn before it. So a redraw takes the layers

@@ -15,8 +15,6 @@
 #include "meshlab_host/mesh_conversion.h"
 #include "meshlab_host/parameters.h"
 
-using laplacian_lines::Error;
-using laplacian_lines::ErrorCode;
 using laplacian_lines::Field;
 using laplacian_lines::FieldScale;
 using laplacian_lines::MeshReport;
@@ -44,8 +42,9 @@ void store(MeshDocument& document, int mesh_id, const meshlab_host::GeometryStam
            const Field& field, const PrecomputeOptions& options) {
     MeshModel* mesh = document.getMesh(mesh_id);
     if (!mesh || meshlab_host::geometry_stamp(mesh->cm) != stamp)
-        throw Error(ErrorCode::FieldMismatch,
-                    "The mesh changed while its field was being computed. Run the filter again.");
+        laplacian_lines::refuse(
+            "The mesh changed while its field was being computed. Run the filter again.",
+            laplacian_lines::ErrorCode::FieldMismatch);
     meshlab_host::write_field(mesh->cm, field, options, stamp);
 }
 

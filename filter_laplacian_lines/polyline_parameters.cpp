@@ -15,7 +15,7 @@ using Parameters = PolylineParameters;
 using laplacian_lines::OptionKind;
 namespace rows = laplacian_lines::option_rows;
 
-constexpr double kLargestBox = 1e15;  // as the core has it
+constexpr double kLargestBox = 1e15;  // the largest D of the core, see ErrorCode::InvalidMesh
 
 std::vector<const char*> view_names() {
     std::vector<const char*> names = {"Current View of the Window",

@@ -48,7 +48,7 @@ WorldLayers copy_visible_layers(const FilterRun& run, double share) {
     for (std::size_t i = 0; i < ids.size(); ++i) {
         const MeshModel* layer = run.document.getMesh(ids[i]);  // may have gone meanwhile
         if (!layer) continue;
-        const QString name = layer->label();  // the layer may be gone when it is needed
+        const QString name = layer->label();  // for messages when the layer may be gone
         if (layer->cm.fn == 0) {
             run.say(QString("%1 is left out of the drawing: it has no faces.").arg(name));
             continue;

@@ -36,7 +36,7 @@ private:
     Pointer pointer_ = nullptr;
 };
 
-/// Features of the first context, assumed for all.
+/// Features of the first context, assumed for all. Tests change them.
 struct GlFeatures {
     bool shaders;        ///< OpenGL 2.0
     bool array_objects;  ///< OpenGL 3.0 or an extension, as the next two

@@ -54,8 +54,8 @@ varying vec2 ends;
 varying vec4 ink;
 varying vec4 middle;  // direction on the screen, depths in 0..1 at the start and at the end
 
-// As in line_stream.h and line_renderer.cpp.
-const float nothing_here = -1.5;  // radii below this mark points that still have a position
+// Marks of line_stream.h. Radii below nothing_here are kNeighbourOnly, of points with a position.
+const float nothing_here = -1.5;
 const float edge_mark = 0.25;
 const float away_mark = 0.4;
 // Of what follows edges, pixels: to the side as far as a pixel's centre may be beyond the edge; and

@@ -38,7 +38,10 @@ bool StraightPiece::try_extend(const SeenPoint& point) {
     const float distance = offset.norm();
     if (!is_empty_ && !(is_open_ && can_end(point, offset, distance))) return false;
     is_empty_ = false;
-    if (is_open_) narrow(point, offset, distance);
+    if (!is_open_) return true;
+    reach_ = std::max(reach_, distance);
+    narrow_directions(offset, distance);
+    narrow_slopes(point);
     return true;
 }
 
@@ -51,12 +54,6 @@ bool StraightPiece::can_end(const SeenPoint& point, const Vector& offset, float 
         if (!(rise >= least_slope_[i] * reach && rise <= greatest_slope_[i] * reach)) return false;
     }
     return true;
-}
-
-void StraightPiece::narrow(const SeenPoint& point, const Vector& offset, float distance) {
-    reach_ = std::max(reach_, distance);
-    narrow_directions(offset, distance);
-    narrow_slopes(point);
 }
 
 /// Two points at the same distance from the start are 2 sin(angle / 2) times that apart. Cones are

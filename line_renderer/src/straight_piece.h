@@ -39,7 +39,6 @@ private:
     using Vector = Eigen::Vector2f;
 
     bool can_end(const SeenPoint& point, const Vector& offset, float distance) const;
-    void narrow(const SeenPoint& point, const Vector& offset, float distance);
     void narrow_directions(const Vector& offset, float distance);
     void narrow_slopes(const SeenPoint& point);
 

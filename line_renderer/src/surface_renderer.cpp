@@ -42,7 +42,7 @@ varying vec3 eye_normal;
 
 const float pixels_of_slope = 3.0;
 const float tones = 3.0;
-const float shade = 150.0 / 255.0;
+const float shade = 150.0 / 255.0;  // gray of the darkest tone
 
 vec3 towards_eye()
 {
@@ -78,7 +78,7 @@ bool is_hidden(float slope)
     return texel.x > 0.0 && gl_FragCoord.z > nearest + 0.5 * slope + 1e-6;
 }
 
-// Within half the width of points and wires.
+// Least depth within half the width of points and wires.
 float nearest_around()
 {
     float nearest = 1.0;

@@ -83,7 +83,7 @@ laplacian_lines::View view_from(const Eigen::Vector4d& eye, const Eigen::Matrix4
 laplacian_lines::View view_from_matrices(const Eigen::Matrix4d& modelview,
                                          const Eigen::Matrix4d& projection,
                                          const Eigen::Matrix4d& layer) {
-    // In eye coordinates it is the origin, or infinitely far along +z.
+    // In eye coordinates the eye is the origin, or infinitely far along +z.
     const bool is_parallel = is_orthographic(projection);
     return view_from(is_parallel ? Eigen::Vector4d::UnitZ() : Eigen::Vector4d::UnitW(),
                      modelview * layer);

@@ -69,14 +69,14 @@ Columns recorded_columns(const FieldRecord& record) {
     return columns;
 }
 
-/// Places of the vertices that are not deleted, in order. Found once: vertices are much larger than
+/// Slots of the vertices that are not deleted, in order. Found once: vertices are much larger than
 /// their attributes.
-std::vector<std::uint32_t> live_places(const CMeshO& mesh) {
-    std::vector<std::uint32_t> places;
-    places.reserve(std::size_t(mesh.vn));
+std::vector<std::uint32_t> live_slots(const CMeshO& mesh) {
+    std::vector<std::uint32_t> slot_of;
+    slot_of.reserve(std::size_t(mesh.vn));
     for (std::size_t slot = 0; slot < mesh.vert.size(); ++slot)
-        if (!mesh.vert[slot].IsD()) places.push_back(std::uint32_t(slot));
-    return places;
+        if (!mesh.vert[slot].IsD()) slot_of.push_back(std::uint32_t(slot));
+    return slot_of;
 }
 
 /// Whether all are there, with their types and a value per slot.
@@ -95,33 +95,29 @@ FieldStatus status_of_names(const CMeshO& mesh, const Columns& columns) {
 
 /// Of live vertices.
 std::uint64_t content_hash(const CMeshO& mesh, const Columns& columns) {
-    const std::vector<std::uint32_t> places = live_places(mesh);
+    const std::vector<std::uint32_t> slot_of = live_slots(mesh);
     Hash hash(3);
     visit_attributes(columns,
                      [&](const FieldColumn&, const FieldAttribute& attribute, int, auto stored) {
                          using Value = typename decltype(stored)::Value;
                          const auto& values = *find_vertex_values<Value>(mesh, attribute.name);
-                         for (const std::uint32_t place : places)
-                             hash.add(stored.word(values[place]));
+                         for (const std::uint32_t slot : slot_of)
+                             hash.add(stored.word(values[slot]));
                      });
     return hash.value();
 }
 
 void write_columns(CMeshO& mesh, const Columns& columns, const Field& field) {
-    const std::vector<std::uint32_t> places = live_places(mesh);
-    const auto ensure_values = [&](const FieldAttribute& attribute, auto stored) -> auto& {
-        return ensure_vertex_values<typename decltype(stored)::Value>(mesh, attribute.name);
-    };
-    visit_attributes(columns, [&](const FieldColumn&, const FieldAttribute& attribute, int,
-                                  auto stored) { ensure_values(attribute, stored); });
+    const std::vector<std::uint32_t> slot_of = live_slots(mesh);
     visit_attributes(columns, [&](const FieldColumn& column, const FieldAttribute& attribute,
                                   int first, auto stored) {
-        auto& values = ensure_values(attribute, stored);
+        using Value = typename decltype(stored)::Value;
+        auto& values = ensure_vertex_values<Value>(mesh, attribute.name);
         const float zero[3] = {};
         if (has_deleted_vertices(mesh)) std::fill(values.begin(), values.end(), stored.from(zero));
         const float* floats = column.read(field) + first;
-        for (std::size_t live = 0; live < places.size(); ++live)
-            values[places[live]] = stored.from(floats + live * std::size_t(column.floats));
+        for (std::size_t live = 0; live < slot_of.size(); ++live)
+            values[slot_of[live]] = stored.from(floats + live * std::size_t(column.floats));
     });
 }
 
@@ -168,17 +164,17 @@ std::optional<Field> read_field(const CMeshO& mesh, const GeometryStamp& now) {
     if (field_status(mesh, now) != FieldStatus::Current) return std::nullopt;
     const FieldRecord record = *read_field_record(mesh);
     const Columns columns = recorded_columns(record);
-    const std::vector<std::uint32_t> places = live_places(mesh);
+    const std::vector<std::uint32_t> slot_of = live_slots(mesh);
     Field field;
     for (const FieldColumn& column : columns)
-        column.resize(field, places.size());
+        column.resize(field, slot_of.size());
     visit_attributes(columns, [&](const FieldColumn& column, const FieldAttribute& attribute,
                                   int first, auto stored) {
         using Value = typename decltype(stored)::Value;
         const auto& values = *find_vertex_values<Value>(mesh, attribute.name);
         float* floats = column.write(field) + first;
-        for (std::size_t live = 0; live < places.size(); ++live)
-            stored.to(values[places[live]], floats + live * std::size_t(column.floats));
+        for (std::size_t live = 0; live < slot_of.size(); ++live)
+            stored.to(values[slot_of[live]], floats + live * std::size_t(column.floats));
     });
     field.scale = record.scale;
     field.report = record.report;
@@ -188,9 +184,9 @@ std::optional<Field> read_field(const CMeshO& mesh, const GeometryStamp& now) {
 void write_field(CMeshO& mesh, const Field& field,
                  const laplacian_lines::PrecomputeOptions& options, const GeometryStamp& stamp) {
     if (!laplacian_lines::has_entries(field, std::size_t(mesh.vn)))
-        throw laplacian_lines::Error(laplacian_lines::ErrorCode::FieldMismatch,
-                                     "The mesh changed while its lines were being computed. "
-                                     "Run the filter again.");
+        laplacian_lines::refuse(
+            "The mesh changed while its lines were being computed. Run the filter again.",
+            laplacian_lines::ErrorCode::FieldMismatch);
     remove_mesh_value(mesh, record_attribute);
     FieldRecord record;
     for (std::size_t i = 0; i < kFieldColumns.size(); ++i)

@@ -74,7 +74,7 @@ MLRenderingData lines_only(MeshModel& mesh) {
     return look;
 }
 
-/// Updates MeshLab's toolbar, which shows how the current layer is drawn.
+/// Updates MeshLab's toolbar, which shows how the current layer is drawn, and its views.
 void refresh_window() {
     for (QWidget* widget : QApplication::topLevelWidgets())
         if (widget->inherits("MainWindow"))

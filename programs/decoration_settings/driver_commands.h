@@ -5,7 +5,7 @@
 #include <vector>
 
 /// The GUI driver's commands for settings "NAME=VALUE". NAME is a parameter's label or key in any
-/// case; VALUE a color, "#202020" or a name, or what meshlab_host::number_in() takes. Thread-safe.
+/// case, VALUE what meshlab_host::number_in() takes. Thread-safe.
 /// @throws laplacian_lines::Error(InvalidOption) with the names or values allowed
 QStringList setting_commands(const QStringList& settings);
 

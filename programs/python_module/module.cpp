@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // _core: internals of the Python package laplacian_lines, which documents them.
 #include <nanobind/nanobind.h>
-#include <nanobind/ndarray.h>
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
@@ -76,10 +75,8 @@ nb::list kinds() {
 nb::list keys_of_kinds(const std::string& names) {
     const std::optional<LineKindSet> set = kinds_named(names);
     if (!set)
-        throw Error(ErrorCode::InvalidOption, "\"" + names +
-                                                  "\" are not kinds of lines. Kinds and mixtures "
-                                                  "of them are " +
-                                                  names_of_kinds() + ".");
+        refuse("\"" + names + "\" are not kinds of lines. Kinds and mixtures of them are " +
+               names_of_kinds() + ".");
     nb::list keys;
     for (const LineKindDescription& kind : kLineKinds)
         if ((*set)[kind.kind]) keys.append(kind.key);

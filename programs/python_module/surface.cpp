@@ -81,7 +81,9 @@ const TriangleMesh& Surface::drawn_mesh(const Progress& progress) {
     if (may_be_refined_) {
         TriangleMesh finer = refined(mesh_, progress);
         may_be_refined_ = false;
-        if (finer.triangles.size() != mesh_.triangles.size()) finer_ = std::move(finer);
+        // undone and cut finer again, a subdivided mesh may have as many triangles as before
+        const bool is_other = finer.triangles.size() != mesh_.triangles.size();
+        if (finer.known_edge > 0 || is_other) finer_ = std::move(finer);
     }
     return finer_ ? *finer_ : mesh_;
 }

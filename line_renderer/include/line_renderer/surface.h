@@ -40,6 +40,7 @@ struct SurfaceLayer {
     /// MeshLab's depth buffer has the faces, and nothing in front of them.
     bool is_in_depth_buffer = false;
 
+    /// The diagonal follows from the surface.
     bool operator==(const SurfaceLayer& other) const {
         return !surface.owner_before(other.surface) && !other.surface.owner_before(surface) &&
                transform == other.transform && culls_back_faces == other.culls_back_faces &&

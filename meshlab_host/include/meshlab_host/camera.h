@@ -36,14 +36,14 @@ struct Similarity {
 /// None if the transformation stretches, shears or reflects.
 std::optional<Similarity> similarity_of(const Eigen::Matrix4d& transform);
 
-/// Of a layer, if it is singular. @throws laplacian_lines::Error(InvalidOption)
+/// Refuses a layer's transformation that is singular. @throws laplacian_lines::Error(InvalidOption)
 [[noreturn]] void refuse_transform();
 
 /// By how much lengths grow: the geometric mean over three directions, the cube root of volumes'.
 double mean_scale(const Eigen::Matrix4d& transform);
 
-/// For an eye in homogeneous coordinates of the world, (position, 1), or (direction towards the
-/// viewer, 0), in the coordinates of a mesh that `to_world` may scale or reflect.
+/// The view, in mesh coordinates, of an eye in homogeneous world coordinates: (position, 1), or
+/// (direction towards the viewer, 0). `to_world`, from the mesh, may scale or reflect.
 /// @throws laplacian_lines::Error(InvalidOption) if it is singular
 laplacian_lines::View view_from(const Eigen::Vector4d& eye, const Eigen::Matrix4d& to_world);
 

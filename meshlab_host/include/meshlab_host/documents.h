@@ -20,7 +20,7 @@ MeshDocument* document_of(const MeshModel& mesh);
 
 std::vector<const MeshModel*> layers_of(const MeshDocument& document);
 
-/// All layers of the document, or those that MeshLab shows, ascending.
+/// Ids of all layers of the document, or of those that MeshLab shows, ascending.
 std::vector<int> layer_ids(const MeshDocument& document, bool only_shown = false);
 
 /// Shows text in the corner of the view until the next redraw. `mesh` is shown only if two boxes

@@ -31,7 +31,7 @@ enum class FieldStatus {
     Current,
     Missing,    ///< never computed, or MeshLab has dropped or mixed up part of it
     Stale,      ///< the mesh has changed since
-    WrongType,  ///< another program's attribute has one of the names
+    WrongType,  ///< another program's or version's attribute has one of the names
 };
 
 /// For the log, after the name of a mesh; empty if there is nothing remarkable.

@@ -20,8 +20,8 @@ struct FieldKey {
     bool operator<(const FieldKey& other) const;
 };
 
-/// Where a field comes from: the mesh's attributes if they are current and it is not refined, else
-/// precompute() with their options, or the defaults.
+/// Where a field comes from: the mesh's attributes if they are current and refined() leaves the
+/// mesh as it is, else precompute() with their options, or the defaults.
 struct FieldSource {
     FieldKey key;
     FieldStatus status;

@@ -39,7 +39,7 @@ void read_parameter(const laplacian_lines::OptionRow<Options>& row, Options& opt
 /// names label, text and what is allowed
 double number_in(const QString& text, const laplacian_lines::OptionDescription& option);
 
-/// As its field in a dialog shows it. A value of the option.
+/// As its field in a dialog shows `value`, which is in the option's range.
 QString text_of(double value, const laplacian_lines::OptionDescription& option);
 
 }  // namespace meshlab_host
