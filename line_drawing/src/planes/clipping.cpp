@@ -18,27 +18,30 @@ using laplacian_lines::TriangleMesh;
 using laplacian_lines::ViewLine;
 using laplacian_lines::ViewLinePoint;
 
+/// Less the set's origin.
 Vector3d position_of(const LinePoint& p) {
     return p.position.cast<double>();
 }
 const Vector3d& position_of(const Vector3d& p) {
     return p;
 }
-LinePoint between(const LinePoint& a, const LinePoint& b, double t) {
-    const auto mix = [t](float x, float y) { return float((1 - t) * double(x) + t * double(y)); };
-    return {((1 - t) * position_of(a) + t * position_of(b)).cast<float>(), mix(a.weight, b.weight),
-            mix(a.gradient, b.gradient), mix(a.opacity, b.opacity)};
+const Vector3d& position_of(const ViewLinePoint& p) {
+    return p.position;
 }
 Vector3d between(const Vector3d& a, const Vector3d& b, double t) {
     return (1 - t) * a + t * b;
 }
-const Vector3d& position_of(const ViewLinePoint& p) {
-    return p.position;
+float between(float a, float b, double t) {
+    return float((1 - t) * double(a) + t * double(b));
+}
+LinePoint between(const LinePoint& a, const LinePoint& b, double t) {
+    return {between(position_of(a), position_of(b), t).cast<float>(),
+            between(a.weight, b.weight, t), between(a.gradient, b.gradient, t),
+            between(a.opacity, b.opacity, t)};
 }
 ViewLinePoint between(const ViewLinePoint& a, const ViewLinePoint& b, double t) {
-    const auto mix = [t](float x, float y) { return float((1 - t) * double(x) + t * double(y)); };
-    return {between(a.position, b.position, t), mix(a.weight, b.weight),
-            mix(a.gradient, b.gradient),        mix(a.opacity, b.opacity),
+    return {between(a.position, b.position, t), between(a.weight, b.weight, t),
+            between(a.gradient, b.gradient, t), between(a.opacity, b.opacity, t),
             laplacian_lines::kNoNode,           true};
 }
 
@@ -64,17 +67,25 @@ std::vector<std::vector<Point>> runs_inside(const Point* points, std::size_t cou
     return runs;
 }
 
+/// Of a closed line. If only its first point is outside, which is also its last, a run is as long.
+template <class Point>
+bool is_whole(const std::vector<Point>& run, const Point& first, std::size_t count) {
+    return run.size() == count && position_of(run[0]) == position_of(first);
+}
+
 }  // namespace
 
 LineSet clip(const LineSet& lines, const HalfSpace& inside) {
     LineSet result;
+    result.origin = lines.origin;
+    const HalfSpace shifted{inside.normal, -inside.depth(lines.origin)};
     for (const Polyline& line : lines.lines)
-        for (const auto& run : runs_inside(lines.points.data() + line.first, line.count, inside)) {
+        for (const auto& run : runs_inside(lines.points.data() + line.first, line.count, shifted)) {
             if (run.size() < 2) continue;
             Polyline part = line;
             part.first = std::uint32_t(result.points.size());
             part.count = std::uint32_t(run.size());
-            part.closed = line.closed && part.count == line.count;
+            part.closed = line.closed && is_whole(run, lines.points[line.first], line.count);
             result.points.insert(result.points.end(), run.begin(), run.end());
             result.lines.push_back(part);
         }
@@ -87,7 +98,7 @@ std::vector<ViewLine> clip(const std::vector<ViewLine>& lines, const HalfSpace& 
         for (auto& run : runs_inside(line.points.data(), line.points.size(), inside)) {
             if (run.size() < 2) continue;
             ViewLine part = line;
-            part.closed = line.closed && run.size() == line.points.size();
+            part.closed = line.closed && is_whole(run, line.points[0], line.points.size());
             part.points = std::move(run);
             result.push_back(std::move(part));
         }

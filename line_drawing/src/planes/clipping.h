@@ -26,7 +26,7 @@ std::vector<laplacian_lines::ViewLine> clip(const std::vector<laplacian_lines::V
                                             const HalfSpace& inside);
 std::vector<Cut> clip(const std::vector<Cut>& lines, const HalfSpace& inside);
 
-/// A loop around the intersection of both (even-odd); it may run along the plane several times.
+/// A loop around the part inside of a loop's area (even-odd); may run along the plane repeatedly.
 Cut clip_loop(const Cut& loop, const HalfSpace& inside);
 
 /// The part of the surface inside; cuts triangles along the plane.

@@ -7,8 +7,8 @@
 
 namespace line_drawing {
 
-/// Simplifies a line of points in the plane or in space: appends the numbers of its corners from
-/// the first point to the last one, without that. Other points are within `tolerance`. D. H.
+/// Simplifies a line of points in the plane or in space: returns the numbers of its corners from
+/// `first` on, without `last`. The points between are within `tolerance` of straight lines. D. H.
 /// Douglas and T. K. Peucker, "Algorithms for the Reduction of the Number of Points Required to
 /// Represent a Digitized Line or its Caricature" (1973).
 template <class Point>

@@ -12,7 +12,7 @@ namespace line_drawing {
 /// A line where a plane cuts a surface; a closed one repeats its first point.
 using Cut = std::vector<Eigen::Vector3d>;
 
-/// A mesh, which outlives it, to be cut by any number of planes.
+/// Cuts a mesh, which outlives this, by any number of planes.
 class CuttableMesh {
 public:
     explicit CuttableMesh(const laplacian_lines::TriangleMesh& mesh)

@@ -59,10 +59,9 @@ std::vector<std::vector<Vector2d>> hatch(const std::vector<Loops>& areas, const 
                 high = std::max(high, across.dot(p));
             }
     std::vector<std::vector<Vector2d>> lines;
-    for (double at = (std::floor(low / spacing) + 0.5) * spacing; at < high; at += spacing) {
+    for (double at = (std::floor(low / spacing) + 0.5) * spacing; at < high; at += spacing)
         for (const auto& [begin, end] : strips_at(areas, direction, at))
             lines.push_back({at * across + begin * direction, at * across + end * direction});
-    }
     return lines;
 }
 

@@ -8,8 +8,8 @@ namespace line_drawing {
 
 using Loops = std::vector<std::vector<Eigen::Vector2d>>;
 
-/// Positions, ascending, along the line in the unit direction `direction`, `offset` to the left of
-/// the origin, at which it enters and leaves the area that loops enclose (even-odd).
+/// Where the line in the unit direction `direction`, `offset` to the left of the origin, enters and
+/// leaves the area that loops enclose (even-odd): distances along the line, ascending.
 std::vector<double> crossings_at(const Loops& loops, const Eigen::Vector2d& direction,
                                  double offset);
 

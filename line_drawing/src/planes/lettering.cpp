@@ -19,7 +19,7 @@ constexpr char32_t kNoCharacter = 0xfffd;
 constexpr std::u32string_view kSubstituted = U"\u2300\u2205\u2011\u2236";
 constexpr std::u32string_view kSubstitutes = U"\u00d8\u00d8-:";
 
-/// Of height 1.
+/// The compiled-in font, of height 1.
 class Font {
 public:
     Font() {
@@ -47,7 +47,7 @@ public:
         return unit_ * advance;
     }
 
-    /// Adds the outlines.
+    /// Adds a glyph's outlines; `begin`: on the base line, y down.
     void append(int glyph, const Point& begin, Path& path) const {
         stbtt_vertex* vertices = nullptr;
         const int count = stbtt_GetGlyphShape(&font_, glyph, &vertices);

@@ -13,13 +13,14 @@ namespace line_drawing {
 // and signs. Letters that it lacks are drawn by others that look alike, such as Ø for ⌀, or become
 // boxes.
 
-/// For a font of height 1.
+/// In heights of the font.
 double width_of(char32_t letter);
 double width_of(const std::string& text);
 
+/// The text as an area, on the sheet.
 SheetPath outlines_of(const SheetText& text);
 
-/// The first letter that would become a box, or nothing.
+/// The first letter that would become a box, or an empty string.
 std::string missing_letter(const std::string& text);
 
 /// ../../letters/letters.ttf; CMake writes its source.

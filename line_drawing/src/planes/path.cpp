@@ -8,12 +8,9 @@ namespace {
 
 using Point = Path::Point;
 
+constexpr double kRounding = 1e-12;              // of a coordinate, mm or font heights
 constexpr double kQuarterHandle = 0.5522847498;  // handle of a quarter of the unit circle
 constexpr int kMostHalvings = 9;                 // a curve is then 512 chords, whatever its size
-
-bool is_same(const Point& p, const Point& q) {
-    return (p - q).lpNorm<Eigen::Infinity>() <= 1e-12;
-}
 
 double manhattan(const Point& p) {
     return p.lpNorm<1>();
@@ -71,7 +68,8 @@ void Path::move_to(const Point& p) {
 }
 
 void Path::line_to(const Point& p) {
-    if (!is_same(pieces.back().end, p)) pieces.push_back({Step::Line, p});
+    const bool is_there = (pieces.back().end - p).lpNorm<Eigen::Infinity>() <= kRounding;
+    if (!is_there) pieces.push_back({Step::Line, p});
 }
 
 void Path::curve_to(const Point& first, const Point& second, const Point& end) {

@@ -22,21 +22,21 @@ using Eigen::Vector3d;
 using laplacian_lines::Triangle;
 using laplacian_lines::TriangleMesh;
 
-constexpr int kRounds = 30, kRoundsInSpace = 10;
-constexpr std::size_t kMostInSpace = 50000;  // triangles; more do not change the axis
-constexpr double kLeastMiss = 1e-3;          // of the size: smaller distances weigh the same
+constexpr int kRounds = 30, kRoundsInSpace = 10;  // of reweighting
+constexpr std::size_t kMostInSpace = 50000;       // triangles; more do not change the axis
+constexpr double kLeastMiss = 1e-3;               // of the size: smaller distances weigh the same
 constexpr double kNearMiss = 0.25;  // of the radius: normals that meet the axis; 15 degrees
 constexpr double kOtherAxis = 60;   // degrees: another axis of the mesh is nearer
-// For VesselAxis. Of a cube .25 is round; a pot of 200 mm that leans by 5 degrees has its section 9
-// mm off its axis at both ends.
+// Limits of VesselAxis. Of a cube .25 is round; a pot of 200 mm that leans by 5 degrees has its
+// section 9 mm off its axis at both ends.
 constexpr double kLeastRound = 0.4, kLeastRim = 0.5, kMostLean = 5;
 constexpr double kRimShare = 0.1;  // of the height
 constexpr int kDirections = 72;    // around the axis
 constexpr int kPartsOfSide = 16;
-constexpr double kTurn = 6.283185307179586;
+constexpr double kTurn = 6.283185307179586;  // radians
 
-/// Along the axis: a triangle's centre, and its normal turned by 90 degrees, as long as the part of
-/// its area that faces sideways.
+/// A triangle seen along the axis: its centre, and its normal turned by 90 degrees, as long as
+/// twice the part of its area that faces sideways.
 struct Facet {
     Vector2d middle, across;
 };
@@ -87,8 +87,8 @@ double share_that_meets(const std::vector<Facet>& facets, const Vector2d& axis) 
 }
 
 /// The line nearest to all normals, in any direction: a normal n at p meets the line of direction d
-/// and moment m if d · (p × n) + m · n = 0. Returns d. Of the middles of sides, not of triangles:
-/// two triangles of a flat face lie to either side of its middle, one above the other.
+/// and moment m if d · (p × n) + m · n = 0. Returns d. Normals are at the middles of sides, not of
+/// triangles: two triangles of a flat face lie to either side of its middle, one above the other.
 Vector3d direction_of_axis(const TriangleMesh& mesh, const Vector3d& middle, double size) {
     using Matrix6 = Eigen::Matrix<double, 6, 6>;
     using Vector6 = Eigen::Matrix<double, 6, 1>;

@@ -33,6 +33,7 @@ public:
     /// Text for notes: "rim 62 %, axis off by 1.5°".
     std::string words() const;
 
+    /// Bounded by planes through the axis: behind it, and to either side of it in the view.
     HalfSpace behind() const { return behind_; }
     HalfSpace left() const { return right_.opposite(); }
     HalfSpace right() const { return right_; }

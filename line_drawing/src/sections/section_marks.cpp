@@ -32,7 +32,7 @@ SheetPath arrow_head(const Vector2d& tip, const Vector2d& direction) {
     return head;
 }
 
-/// The distance from `from` to the border of a rectangle along `direction`.
+/// From a point to the border of a rectangle along `direction`, an axis or its opposite.
 double reach_of(const Eigen::AlignedBox2d& place, const Vector2d& from, const Vector2d& direction) {
     const Vector2d low = direction.cwiseProduct(place.min() - from),
                    high = direction.cwiseProduct(place.max() - from);
@@ -44,7 +44,7 @@ Vector2d on_sheet(const Vector2d& direction) {
     return {direction.x(), -direction.y()};
 }
 
-/// Towards `direction`, in the sheet's coordinates.
+/// Adds the end of a cutting plane's line towards `direction`. Directions are unit, on the sheet.
 void add_end(const Vector2d& surface_end, const Vector2d& direction, const Vector2d& looking,
              const std::string& letter, const SheetOptions& options, SheetLayer& layer) {
     const Vector2d begin = surface_end + kMarkGap * direction,

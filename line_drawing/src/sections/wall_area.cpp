@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "planes/cutting.h"
 #include "planes/hatching.h"
 
 namespace line_drawing {
@@ -93,7 +92,7 @@ std::vector<std::size_t> groups_of(const std::vector<CutObject>& objects) {
         for (std::size_t k = 0; k < i; ++k) {
             if (groups[k] == groups[i] || !overlap(objects[i].wall, objects[k].wall)) continue;
             const auto [first, second] = std::minmax({groups[i], groups[k]});
-            std::replace(groups.begin(), groups.end(), std::size_t(second), std::size_t(first));
+            std::replace(groups.begin(), groups.end(), second, first);
         }
     }
     return groups;

@@ -27,7 +27,7 @@ private:
     std::vector<double> crossings(const Eigen::Vector2d& begin, const Eigen::Vector2d& end) const;
     bool encloses(const Eigen::Vector2d& begin, const Eigen::Vector2d& end) const;
 
-    double low_ = 0, row_height_ = 1;      // of the rows
+    double low_ = 0, row_height_ = 1;      // of the rows, along y
     double slight_ = 0;                    // distance to either side of a line along a border
     std::vector<std::vector<Edge>> rows_;  // the edges that pass through each
 };

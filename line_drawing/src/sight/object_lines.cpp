@@ -22,10 +22,10 @@ using laplacian_lines::part;
 using laplacian_lines::PrecomputeOptions;
 using laplacian_lines::Progress;
 
-constexpr double kFieldShare = 0.8;   // of the time
+constexpr double kFieldShare = 0.8;   // of an object's progress
 constexpr double kSameKernel = 0.02;  // relative difference of kernels that count as equal
 
-/// Mesh units; `diagonal` is that of the mesh's bounding box.
+/// In mesh units; `mm` on paper per mesh unit, `diagonal` that of the mesh's bounding box.
 double length_of(const DetailSize& detail, double mm, double diagonal) {
     return detail.is_share ? detail.size * diagonal : detail.size / mm;
 }
@@ -35,7 +35,6 @@ double kernel_factor(double detail) {
     return std::exp2(1 - detail / 50);
 }
 
-/// `mm`: on paper, per mesh unit.
 PrecomputeOptions field_options(const SheetOptions& options, double mm) {
     PrecomputeOptions result;
     const double factor = kernel_factor(options.style.detail);
@@ -70,9 +69,9 @@ Field compute_field(const Object& object, PrecomputeOptions wanted, const SheetO
 }  // namespace
 
 ObjectLines::Extractor ObjectLines::given_extractor(const Object& object) {
-    const std::shared_ptr<void> nobodys;
     const double kernel = object.extractor_kernel;
-    return {{nobodys, object.extractor}, kernel, kernel, object.field != nullptr};
+    const std::shared_ptr<void> no_owner;
+    return {{no_owner, object.extractor}, kernel, kernel, object.field != nullptr};
 }
 
 std::size_t ObjectLines::bytes_of(const Extractors& kept) {
@@ -125,15 +124,11 @@ bool ObjectLines::prepare(const SheetOptions& options, double scale, Kernel kern
         kept_.splice(kept_.begin(), kept_, nearest);
         return least == 0;
     }
-    make_room();
-    kept_.push_front(compute(options, mm, wanted, progress));
-    return true;
-}
-
-void ObjectLines::make_room() {
-    std::size_t bytes = 0;
+    std::size_t bytes = 0;  // makes room: what was used least recently goes
     for (auto kept = kept_.begin(); kept != kept_.end();)
         kept = (bytes += bytes_of(*kept)) > most_bytes_ ? kept_.erase(kept) : std::next(kept);
+    kept_.push_front(compute(options, mm, wanted, progress));
+    return true;
 }
 
 ObjectLines::Extractors ObjectLines::compute(const SheetOptions& options, double mm,

@@ -64,7 +64,6 @@ private:
 
     const Extractors& in_use() const { return kept_.front(); }
     double largest(double Extractor::*size) const;
-    void make_room();
     Extractors compute(const SheetOptions& options, double mm,
                        const laplacian_lines::PrecomputeOptions& wanted,
                        const laplacian_lines::Progress& progress) const;

@@ -20,13 +20,6 @@ using laplacian_lines::TriangleMesh;
 
 namespace {
 
-std::vector<laplacian_lines::LineSet> clip_each(std::vector<laplacian_lines::LineSet> lines,
-                                                const HalfSpace& inside) {
-    for (laplacian_lines::LineSet& set : lines)
-        set = clip(set, inside);
-    return lines;
-}
-
 laplacian_lines::VisibilityOptions visibility_options(const SheetOptions& options) {
     return {options.style.shows, options.style.line_smoothing,
             options.hidden != HiddenLines::LeftOut, true};
@@ -45,12 +38,13 @@ TriangleMesh joined_mesh(const Objects& objects) {
 }
 
 constexpr double kMostPixels = 4096;  // along a side
-constexpr int kReach = 2;             // pixels
+constexpr int kReach = 2;             // pixels, within which an outline counts as there
 
+/// Pixels of a box, with room for outlines around it.
 class Mask {
 public:
     Mask(const Eigen::AlignedBox2d& box, double pixel)
-        : pixel_(std::max(pixel, box.sizes().maxCoeff() / kMostPixels)),
+        : pixel_(pixel),
           low_(box.min() - Vector2d::Constant((kReach + 1) * pixel_)),
           width_(std::size_t(std::ceil(box.sizes().x() / pixel_)) + 2 * kReach + 3),
           height_(std::size_t(std::ceil(box.sizes().y() / pixel_)) + 2 * kReach + 3),
@@ -146,7 +140,7 @@ std::vector<Vector2d> border_without_outline(const TriangleMesh& mesh, const Pro
     return missing;
 }
 
-/// Segments within two pixels of these points, as outlines.
+/// Segments within three pixels of these points, as outlines.
 std::vector<DrawnLine> lines_at(const std::vector<Vector2d>& places,
                                 const std::vector<DrawnLine>& lines, double pixel) {
     std::vector<DrawnLine> found;
@@ -253,9 +247,11 @@ void ViewBuilder::add_half_section_lines(DrawnView& drawn, const laplacian_lines
     drawn.note = half.words();
     const laplacian_lines::LineVisibility visibility(clip(surface_, half.behind()),
                                                      part(progress, 0, 0.3));
-    const ViewLines inside =
-        visibility.visible_lines(view, clip_each(lines, half.behind()), visibility_options(options),
-                                 part(progress, 0.3, 0.6));
+    std::vector<laplacian_lines::LineSet> behind;
+    for (const laplacian_lines::LineSet& set : lines)
+        behind.push_back(clip(set, half.behind()));
+    const ViewLines inside = visibility.visible_lines(view, behind, visibility_options(options),
+                                                      part(progress, 0.3, 0.6));
     drawn.lines = draw(clip(inside, half.left()), drawn.frame, options);
     for (DrawnLine& line : drawn.lines)  // the section has the outline of this half
         if (line.line_class == LineClass::Outline) line.line_class = LineClass::Contour;
@@ -273,6 +269,7 @@ double ViewBuilder::check_outlines(DrawnView& drawn, const SheetOptions& options
     if (drawn.frame.is_half_section || drawn.frame.eye ||
         !shows[laplacian_lines::LineKind::Contour] || !shows[laplacian_lines::LineKind::Border])
         return 0;
+    pixel = std::max(pixel, drawn.bounds.sizes().maxCoeff() / kMostPixels);
     const Projection projection(drawn.frame, box_.center());
     const auto missing = border_without_outline(surface_, projection, options.mm_per_unit,
                                                 drawn.bounds, drawn.lines, pixel);

@@ -14,7 +14,7 @@
 
 namespace line_drawing {
 
-/// Finds the lines of views of objects, which outlive it: first a view without lines, then
+/// Finds the lines of views of objects, which outlive this: first a view without lines, then
 /// prepare() for all sheets, then the lines of each view, then a check of its outlines.
 class ViewBuilder {
 public:
@@ -28,6 +28,7 @@ public:
     DrawnView empty_view(const ViewFrame& frame, const SheetOptions& options);
     /// A section, without the surface behind it.
     DrawnView section_view(const Section& section, const SheetOptions& options);
+    /// The eye and the light.
     laplacian_lines::View view_of(const DrawnView& drawn, const SheetOptions& options) const;
     /// Prepares visibility; call before add_lines(). @throws laplacian_lines::Error(Cancelled)
     void prepare(const std::vector<SheetOptions>& sheets,
@@ -36,8 +37,8 @@ public:
     /// Thread-safe for different views, like the functions below.
     void add_lines(DrawnView& drawn, const std::vector<laplacian_lines::LineSet>& lines,
                    const SheetOptions& options, const laplacian_lines::Progress& progress) const;
-    /// Compares outlines with the pixels that the surface covers, of this size in mm of the object,
-    /// and adds missing lines. Returns their length in mm.
+    /// Compares outlines with the pixels that the surface covers, `pixel` wide or more, and adds
+    /// missing lines. Returns their length. All in mm of the object.
     double check_outlines(DrawnView& drawn, const SheetOptions& options, double pixel) const;
     /// Mesh units.
     Eigen::Vector3d object_size() const { return box_.sizes(); }

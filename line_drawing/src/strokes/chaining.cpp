@@ -17,12 +17,12 @@ using Eigen::Vector2d;
 constexpr double kLongestGap = 8;  // as long as the shortest ring, which else would be a dot
 constexpr double kMeeting = 2;     // ends so near each other meet
 constexpr double kSamePlace = 0.5;
-constexpr double kTangentReach = 3;  // over which the direction of an end is taken
+constexpr double kTangentReach = 3;  // the direction of an end is taken over this
 constexpr double kBendReach = 8;     // 2 √h
-constexpr double kSwelling = 4;      // over which widths pass into each other
+constexpr double kSwelling = 4;      // widths pass into each other over this
 constexpr double kTurnPrice = 8;     // of a turn of 90°: as the longest gap
 
-constexpr double kBridging = 6;           // gaps, over which ends that meet are led to each other
+constexpr double kBridging = 6;           // gaps: ends that meet move together over this
 constexpr double kLongestGapShare = 0.5;  // of the shorter line
 constexpr double kGapCosine = 0.866;      // of 30°, to the way over the gap: an arc turns by 60°
 constexpr double kMeetingCosine = 0.766;  // of 40°
@@ -100,7 +100,7 @@ private:
         return lines_[end.line].line_class == LineClass::Contour;
     }
 
-    /// Whether an end is one of the form, too: a contour along sharp edges.
+    /// Whether it is of a contour along sharp edges of the form.
     bool is_edge(const End& end) const {
         return is_contour(end) && !is_curved_contour(lines_[end.line]);
     }
@@ -133,7 +133,7 @@ private:
     }
 
     bool meets_other(const End& end) const {
-        return all_.is_near(end.position, end.line, pen_ / 2);
+        return all_.is_near(end.position, end.line, kSamePlace * pen_);
     }
 
     bool is_crossed(const End& a, const End& b) const {
@@ -141,19 +141,19 @@ private:
         for (int i = 1; i <= samples; ++i) {
             const double t = double(i) / (samples + 1);
             const auto near = all_.nearest_on((1 - t) * a.position + t * b.position,
-                                              DrawnLines::kNoLine, pen_ / 2);
+                                              DrawnLines::kNoLine, kSamePlace * pen_);
             if (near && near->line != a.line && near->line != b.line) return true;
         }
         return false;
     }
 
-    /// Points of a line on the way, with weights for the width of the whole.
+    /// The points of one line of a chain, with weights as shares of the chain's full width.
     struct Piece {
         std::vector<DrawnPoint> points;
         bool is_contour;
     };
 
-    /// A ring begins and ends within a line.
+    /// A ring begins and ends in the middle of its first line.
     std::vector<Piece> take_pieces(const std::vector<std::size_t>& way, bool is_ring,
                                    LineClass widest) {
         std::vector<Piece> pieces;

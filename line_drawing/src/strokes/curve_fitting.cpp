@@ -159,10 +159,9 @@ private:
 };
 
 /// Unit, from points[i] to the next point at a distance of at least `reach`, or to the end of the
-/// line; around closed lines. Zero if that is nearer than half of it.
+/// line; around closed lines. Zero if that point is nearer than half of `reach`.
 Vector2d direction_to(const Points& points, bool closed, std::size_t i, int step, double reach) {
-    const auto n =
-        std::ptrdiff_t(points.size()) - 1;  // the last point of a closed line is the first
+    const auto n = std::ptrdiff_t(points.size()) - 1;  // closed lines repeat their first point
     std::ptrdiff_t at = std::ptrdiff_t(i);
     for (std::ptrdiff_t steps = 0; steps < n; ++steps) {
         if (!closed && (at + step < 0 || at + step > n)) break;

@@ -70,6 +70,7 @@ private:
     const double reach_;
 };
 
+/// Cuts out the parts of a line that double others.
 class LineCutter {
 public:
     LineCutter(const DrawnLine& line, const DrawnLines& there, double reach)
@@ -125,7 +126,7 @@ private:
         }
     }
 
-    /// Between lines that it doubles, one after the other, where more is between them.
+    /// Between two lines that it doubles one after the other, a line stays if the gap is longer.
     void forget_gaps(const std::vector<bool>& is_beside, double longest) {
         const auto first = std::find(is_beside.begin(), is_beside.end(), true);
         for (auto begin = std::find(first, is_beside.end(), false); begin != is_beside.end();) {

@@ -17,6 +17,16 @@ constexpr double kAlongSine = 0.342, kAlongTangent = 0.364;  // of 20°
 constexpr double kEndShare = 0.5;     // of a piece of a line: beyond its end is not beside it
 constexpr double kPieceShare = 0.51;  // of the reach: half a piece, and rounding
 
+// of for_each_by_families()
+constexpr double kFarthestNext = 2;      // times the white: farther ones do not depend on the first
+constexpr double kSideBySide = 0.7;      // of the longer one's length
+constexpr double kLeastStrength = 0.75;  // of the first
+
+// of is_between_folds()
+constexpr double kWidestGap = 4 * kKernelPens;                // pens
+constexpr double kUnevenness = 0.25;                          // of a gap's width
+constexpr double kLeastBetween = 0.8, kLeastBeyond = 1 / 3.;  // of a line's length
+
 Vector2d nearest_to(const Vector2d& begin, const Vector2d& end, const Vector2d& p) {
     const Vector2d way = end - begin;
     return begin + std::clamp(way.dot(p - begin) / way.squaredNorm(), 0., 1.) * way;
@@ -25,14 +35,6 @@ Vector2d nearest_to(const Vector2d& begin, const Vector2d& end, const Vector2d& 
 double distance_to(const Vector2d& begin, const Vector2d& end, const Vector2d& p) {
     return (nearest_to(begin, end, p) - p).norm();
 }
-
-constexpr double kFarthestNext = 2;      // times the white: farther ones do not depend on the first
-constexpr double kSideBySide = 0.7;      // of the longer one's length
-constexpr double kLeastStrength = 0.75;  // of the first
-constexpr double kWidestGap = 4 * kKernelPens;
-constexpr double kUnevenness = 0.25;   // of a gap's width
-constexpr double kLeastBetween = 0.8;  // of a line's length
-constexpr double kLeastBeyond = 1 / 3.;
 
 template <class Visit>
 void for_each_piece(const DrawnLine& line, double step, Visit visit) {
@@ -47,10 +49,10 @@ Vector2d left_of(const Vector2d& way) {
     return {-way.y(), way.x()};
 }
 
-/// Between two lines in the same direction.
+/// Between two lines.
 struct Gap {
     double width;
-    Vector2d way;
+    Vector2d way;    ///< of both on average, unit
     bool has_third;  ///< a line as far beyond one of them
 };
 
@@ -87,7 +89,7 @@ double length_from(Vector2d point, Vector2d way, double width, double most, cons
     return length;
 }
 
-/// The nearest line beside this one that is not `done`.
+/// The line that is nearest to most of this one, on its left for a `sign` of 1, and not `done`.
 std::optional<std::size_t> next_beside(const std::vector<DrawnLine>& lines, std::size_t i,
                                        double sign, const DrawnLines& all, double white,
                                        const std::vector<bool>& done) {
@@ -109,10 +111,6 @@ std::optional<std::size_t> next_beside(const std::vector<DrawnLine>& lines, std:
 }
 
 }  // namespace
-
-bool DrawnLines::Piece::is_along(const Vector2d& way) const {
-    return std::abs((end - begin).normalized().dot(way)) >= kAlongCosine;
-}
 
 bool DrawnLines::Piece::is_passed(const Vector2d& point, double by) const {
     const double length = (end - begin).norm(), at = (end - begin).dot(point - begin) / length;
@@ -165,7 +163,8 @@ bool DrawnLines::any_piece_near(const Vector2d& point, double within, Test test)
 bool DrawnLines::run_along(const Vector2d& point, const Vector2d& way, double within,
                            double beyond) const {
     return any_piece_near(point, within, [&](const Piece& piece) {
-        return piece.is_along(way) && !piece.is_passed(point, beyond) &&
+        const Vector2d along = (piece.end - piece.begin).normalized();
+        return std::abs(along.dot(way)) >= kAlongCosine && !piece.is_passed(point, beyond) &&
                distance_to(piece.begin, piece.end, point) < within;
     });
 }
@@ -237,12 +236,12 @@ DrawnLines all_of(const std::vector<DrawnLine>& lines, double reach) {
 }
 
 double share_between(const DrawnLine& line, std::size_t number, const DrawnLines& lines,
-                     double nearest) {
+                     double within) {
     double length = 0, between = 0;
-    for_each_piece(line, nearest, [&](const Vector2d& middle, const Vector2d& way, double piece) {
+    for_each_piece(line, within, [&](const Vector2d& middle, const Vector2d& way, double piece) {
         const auto has_next = [&](const Vector2d& side) {
             return lines
-                .next_on(middle, side, {0, nearest}, [&](std::size_t i) { return i == number; })
+                .next_on(middle, side, {0, within}, [&](std::size_t i) { return i == number; })
                 .has_value();
         };
         length += piece;

@@ -27,7 +27,7 @@ class DrawnLines {
 public:
     static constexpr std::size_t kNoLine = std::size_t(-1);
 
-    /// `reach`: about as far as questions go; the larger, the more lines each of them looks at.
+    /// `reach`: about as far as queries go; the larger, the more lines each of them looks at.
     explicit DrawnLines(double reach) : reach_(reach) {}
 
     void add(const std::vector<Eigen::Vector2d>& line, std::size_t number = 0);
@@ -40,9 +40,9 @@ public:
     /// Whether `point` is this near beside a line in any direction, not beyond its end.
     bool is_beside(const Eigen::Vector2d& point, double within) const;
 
-    /// Whether any but that one is this near.
+    /// Whether any line but `except` is this near.
     bool is_near(const Eigen::Vector2d& point, std::size_t except, double within) const;
-    /// The nearest place on any but that one, and its line.
+    /// The nearest place on any line but `except`, if one is this near.
     struct Place {
         Eigen::Vector2d position;
         std::size_t line;
@@ -50,8 +50,8 @@ public:
     std::optional<Place> nearest_on(const Eigen::Vector2d& point, std::size_t except,
                                     double within) const;
 
-    /// The nearest line on the side where the unit vector `side` points, within 20°, that runs
-    /// across it; not those that `skips` names.
+    /// The nearest line in the direction of the unit vector `side`, within 20°, that runs across
+    /// that; not those for which skips(line) is true.
     struct Neighbour {
         Eigen::Vector2d position, way;  ///< unit
         std::size_t line;
@@ -68,7 +68,6 @@ private:
         Eigen::Vector2d begin, end;
         std::size_t line;
 
-        bool is_along(const Eigen::Vector2d& way) const;
         /// Whether a point is before its begin or beyond its end by more than that.
         bool is_passed(const Eigen::Vector2d& point, double by) const;
     };
@@ -93,15 +92,15 @@ bool is_on_curved(const DrawnLine& line);
 
 DrawnLines all_of(const std::vector<DrawnLine>& lines, double reach);
 
-/// The share of a line that has others on both sides, no farther away than `nearest`; `number`: its
+/// The share of a line that has others on both sides, no farther away than `within`; `number`: its
 /// own among `lines`.
 double share_between(const DrawnLine& line, std::size_t number, const DrawnLines& lines,
-                     double nearest);
+                     double within);
 
-/// Calls `keep` once with the number of each line; it returns whether the line is drawn whole. In
-/// order of `strengths`, largest first, but a drawn line is followed by its nearest neighbour to
-/// each side beyond `white`, mm between middles, that is nearly as long and at least three quarters
-/// as strong as the first: so every second or third of close folds is drawn.
+/// Calls keep(number) once for each line, to return whether the line is drawn whole. Lines come in
+/// their order, from the largest of `strengths` down, but a drawn line is followed by its nearest
+/// neighbour to each side beyond `white`, mm between middles, that is nearly as long and at least
+/// three quarters as strong as the first: so every second or third of close folds is drawn.
 void for_each_by_families(const std::vector<DrawnLine>& lines, const std::vector<double>& strengths,
                           double white, const std::function<bool(std::size_t)>& keep);
 

@@ -74,7 +74,7 @@ private:
                 const Vector2d from = end(i, is_last);
                 const auto place = all_.nearest_on(from, i, kBesideReach * reach_);
                 if (place)
-                    visit(i, is_last, loose_end_near(*place, from).value_or(place->position));
+                    visit(i, is_last, loose_end_near(place->line, from).value_or(place->position));
             }
     }
 
@@ -96,14 +96,11 @@ private:
         return is_edge(lines_[i]) && length_of(lines_[i].points) > 2 * kBesideReach * reach_;
     }
 
-    /// The line's own loose end near a place: one piece then joins both.
-    std::optional<Vector2d> loose_end_near(const DrawnLines::Place& place,
-                                           const Vector2d& from) const {
-        for (const bool is_last : {false, true}) {
-            if (!is_loose_end(place.line, is_last)) continue;
-            const Vector2d there = end(place.line, is_last);
-            if ((there - from).norm() < kBesideReach * reach_) return there;
-        }
+    /// A loose end of the line itself near a loose end of another: one piece then joins both.
+    std::optional<Vector2d> loose_end_near(std::size_t i, const Vector2d& from) const {
+        for (const bool is_last : {false, true})
+            if (is_loose_end(i, is_last) && (end(i, is_last) - from).norm() < kBesideReach * reach_)
+                return end(i, is_last);
         return {};
     }
 
@@ -113,7 +110,7 @@ private:
         return end(i, is_last) - (is_last ? points[points.size() - 2] : points[1]).position;
     }
 
-    /// Whether the line's own stroke is there already.
+    /// Whether the line would double back to get there.
     bool runs_back(std::size_t i, bool is_last, const Vector2d& to) const {
         return (to - end(i, is_last)).normalized().dot(last_way(i, is_last).normalized()) <
                kReversal;

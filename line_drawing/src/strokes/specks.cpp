@@ -103,17 +103,17 @@ Net net_of(std::size_t first, const std::vector<DrawnLine>& lines, const Nodes& 
         pieces += std::max<std::size_t>(on_line, 1) - 1;
         if (line.closed) net.is_open = false;
     }
-    net.is_open = net.is_open && pieces < std::max<std::size_t>(met.size(), 1);
+    net.is_open = net.is_open && pieces < std::max<std::size_t>(met.size(), 1);  // as in a tree
     return net;
 }
 
-/// Lines of the form; short inner ones may be a texture, outlines and sections stay.
+/// Whether a line may go with its net; short inner ones may be a texture.
 bool goes_if_alone(const DrawnLine& line) {
     return line.line_class != LineClass::Outline && line.line_class != LineClass::Section &&
            !is_inner(line);
 }
 
-/// `least`: extent of a set in which no way leads around.
+/// `least`: extent of a net in which no way leads around.
 void drop_small_nets(const Nodes& nodes, double least, std::vector<DrawnLine>& lines) {
     std::vector<bool> is_known(lines.size());
     for (std::size_t first = 0; first < lines.size(); ++first) {

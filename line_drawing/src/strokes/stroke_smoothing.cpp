@@ -16,14 +16,15 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kStepShare = 1.5;  // of the reach, between the places that are moved
-constexpr int kRounds = 60;         // of the elastic line
-// Of it for being off a point's place: the first rounds take out waves of some twenty points.
+constexpr int kRounds = 60;         // of bend_least()
+// Its weights ρ of a point's squared distance from its place within reach: a round takes out waves
+// shorter than 2π/ρ^¼ points, here twenty.
 constexpr double kPenalty = 0.01, kPenaltyOfFixed = 100;
 
 using EvenPoints = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 using Matrix = Eigen::SparseMatrix<double>;
 
-/// Second differences.
+/// The second differences of n points; zero at the ends of an open line.
 Matrix bends(Eigen::Index n, bool closed) {
     std::vector<Eigen::Triplet<double>> entries;
     const Eigen::Index first = closed ? 0 : 1, end = closed ? n : n - 1;
@@ -37,6 +38,7 @@ Matrix bends(Eigen::Index n, bool closed) {
     return result;
 }
 
+/// Moves points that are farther than `reach` from `middles` back to that distance.
 void pull_into(const EvenPoints& middles, const std::vector<double>& reach, EvenPoints& points) {
     for (Eigen::Index i = 0; i < points.rows(); ++i) {
         const Eigen::RowVector2d off = points.row(i) - middles.row(i);
@@ -88,7 +90,7 @@ public:
         EvenPoints places(Eigen::Index(count), 2);
         std::vector<double> reaches(count, reach);
         for (std::size_t i = 0; i < count; ++i) {
-            even_.push_back(point_at(double(i) / double(steps_) * along_.back()));  // exact at 1
+            even_.push_back(point_at(double(i) / double(steps_) * along_.back()));
             places.row(Eigen::Index(i)) = even_[i].position.transpose();
             if (even_[i].stays()) reaches[i] = 0;
         }
@@ -133,7 +135,7 @@ class ContourSmoother {
 public:
     explicit ContourSmoother(double reach) : reach_(reach) {}
 
-    /// Those of a class.
+    /// Smooths the lines of a class.
     void smooth(LineClass line_class, std::vector<DrawnLine>& lines) {
         std::vector<Moved> moved(lines.size());
         laplacian_lines::in_parallel(lines.size(), [&](std::size_t i) {
@@ -155,7 +157,7 @@ public:
     }
 
 private:
-    using Moved = std::vector<std::pair<std::uint32_t, Vector2d>>;  // nodes, and where they are
+    using Moved = std::vector<std::pair<std::uint32_t, Vector2d>>;  // nodes, and where they are now
 
     void smooth(DrawnLine& line, Moved& moved) const {
         const std::vector<DrawnPoint>& points = line.points;
@@ -164,22 +166,21 @@ private:
             return;
         }
         std::vector<DrawnPoint> smoothed;
-        for (std::size_t begin = 0, end; begin + 1 < points.size(); begin = end) {
-            for (end = begin + 1; end + 1 < points.size() && !points[end].is_exact; ++end) {
-            }
-            const std::vector<DrawnPoint> stretch(points.begin() + std::ptrdiff_t(begin),
-                                                  points.begin() + std::ptrdiff_t(end) + 1);
-            const auto part = smoothed_stretch(stretch, false, moved);
+        const auto last = points.end() - 1;
+        for (auto begin = points.begin(), end = begin; begin != last; begin = end) {
+            end = std::find_if(begin + 1, last, is_exact);
+            const auto part = smoothed_stretch({begin, end + 1}, false, moved);
             smoothed.insert(smoothed.end(), part.begin() + (smoothed.empty() ? 0 : 1), part.end());
         }
         line.points = std::move(smoothed);
     }
 
-    /// Rotates a closed line so; false if none of its points is exact.
+    static bool is_exact(const DrawnPoint& point) { return point.is_exact; }
+
+    /// Rotates a closed line to begin at an exact point; false if it has none.
     static bool begin_at_exact(DrawnLine& line) {
         std::vector<DrawnPoint>& points = line.points;
-        const auto first = std::find_if(points.begin(), points.end() - 1,
-                                        [](const DrawnPoint& point) { return point.is_exact; });
+        const auto first = std::find_if(points.begin(), points.end() - 1, is_exact);
         if (first == points.end() - 1) return false;
         std::rotate(points.begin(), first, points.end() - 1);
         points.back() = points.front();

@@ -12,11 +12,11 @@ using Eigen::Vector2d;
 using Points = std::vector<Vector2d>;
 
 constexpr double kTolerance = 0.02;       // mm; of curves against the lines
-constexpr double kThinnestStroke = 0.06;  // mm; where it is less a line is drawn so thin
+constexpr double kThinnestStroke = 0.06;  // mm; thinner parts are drawn as wide as this
 
 constexpr double kLargestUnevenness = 0.01;  // share of the width that nobody sees
 constexpr double kCosineOfJoin = 0.9;        // of 26°; smaller turns are mitred, larger ones round
-constexpr double kJoinStep = 0.4;            // of the turn
+constexpr double kJoinStep = 0.4;            // radians between the points of a round join
 constexpr double kCoveredShare = 0.9;        // of the radius: edges of tapers are near wider places
 constexpr double kLeastRoundWidth = 0.1;     // mm; ends of thinner strokes are cut off
 constexpr double kPi = EIGEN_PI;
@@ -153,7 +153,7 @@ Path tapered_stroke(const Spine& spine, bool closed) {
     return path;
 }
 
-/// As lines that do not end within the form are: any program draws these with a pen.
+/// Whether a stroke has one width: then it is a line with a pen, which any program can draw.
 bool is_even(const Spine& spine) {
     const auto [least, most] = std::minmax_element(spine.widths.begin(), spine.widths.end());
     return *most - *least < kLargestUnevenness * *most;

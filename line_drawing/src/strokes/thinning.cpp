@@ -15,8 +15,8 @@ using Eigen::Vector2d;
 // in pens of inner lines
 constexpr double kBetweenLines = 3;  // from middle to middle: two pens of white, as in ISO 128
 constexpr double kLeastWhite = 0.5;  // beside outlines
-// A part of a line has this much more white somewhere: what runs along an outline about as near as
-// that is left out whole, not where it happens to be nearer.
+// More than that, which a part of a line needs at one place: what runs along an outline all the way
+// is left out whole, not only where it happens to be nearer.
 constexpr double kClearWhite = 1;
 constexpr double kLeastApart = 0.5;  // of a line, with white beside stronger ones
 constexpr double kLowStep = 4;       // in depth: what is behind it is of the same form
@@ -28,7 +28,7 @@ constexpr double kLeastHole = 2;      // of a surface: smaller ones would be dot
 constexpr double kLongestCrossing = 7.5, kLongestNearPass = 5;  // at another line, or near one
 constexpr double kLongestTouch = 3, kLongestNearEnd = 2;        // likewise, of an end
 constexpr double kSamePlace = 0.2, kMeeting = 2;
-/// Remains of a fold are an island between others, unless this long or this share of it.
+// If less than this share of a line is free, parts shorter than that are dropped as islands.
 constexpr double kLongestIsland = 24, kLeastShare = 0.5;
 constexpr double kStep = 0.2;
 
@@ -63,10 +63,10 @@ bool is_of_form(const DrawnLine& line) {
 bool is_crowded(const DrawnLine& line, std::size_t number, const DrawnLines& edges,
                 const Pens& pens) {
     const double pen = pens[std::size_t(LineClass::Inner)],
-                 nearest = pens[std::size_t(line.line_class)] + kLeastWhite * pen;
+                 within = pens[std::size_t(line.line_class)] + kLeastWhite * pen;
     const bool is_step = line.line_class == LineClass::Contour && line.jump < kLowStep * pen;
     return (line.line_class == LineClass::Edge || is_step) &&
-           share_between(line, number, edges, nearest) >= kLeastApart;
+           share_between(line, number, edges, within) >= kLeastApart;
 }
 
 /// Has a ring, which ends with a copy of its first element, begin at another one.
@@ -77,7 +77,7 @@ void begin_at(std::size_t place, std::vector<T>& ring) {
     ring.push_back(ring.front());
 }
 
-/// In the middle of the longest run of what is free.
+/// The middle of the longest run of true in a ring, which ends with a copy of its first element.
 std::size_t freest_place(const std::vector<bool>& ring) {
     const std::size_t count = ring.size() - 1;
     std::size_t place = 0, longest = 0, run = 0;
@@ -100,7 +100,7 @@ public:
         outlines_[std::size_t(line.line_class)].add(positions_of(line));
     }
 
-    /// Unless less than half of a contour has white beside stronger lines.
+    /// Adds a contour if at least half of it has white beside stronger lines; whether it did.
     bool add_contour(const DrawnLine& line) {
         return add_if_apart(line, [&](const Vector2d& point, double more) {
             return is_beside(LineClass::Outline, point, more) ||
@@ -108,13 +108,13 @@ public:
         });
     }
 
-    /// Unless less than half of a crowded edge has white beside others.
+    /// Likewise a crowded edge, beside all lines.
     bool add_crowded(const DrawnLine& line) {
         return add_if_apart(
             line, [&](const Vector2d& point, double more) { return !is_beside_none(point, more); });
     }
 
-    /// Whether all of it was added.
+    /// Adds the free parts of an inner line; whether that is all of it.
     bool add_free(const DrawnLine& line, std::vector<DrawnLine>& result) {
         if (line.closed && length_of(line.points) < kShortestLoop * pen_) return false;
         std::vector<DrawnPoint> points = refine(line.points, kStep * pen_);
@@ -152,8 +152,8 @@ public:
     }
 
 private:
-    /// Not counting the ends of a line, which may meet others. `is_beside(point, more)`: `more`
-    /// than inner lines keep to.
+    /// Not counting the ends of a line, which may meet others. is_beside(point, more): whether
+    /// lines are nearer than inner lines may be, and `more` mm.
     template <class IsBeside>
     bool add_if_apart(const DrawnLine& line, IsBeside is_beside) {
         const double pen = pens_[std::size_t(line.line_class)];
@@ -208,7 +208,7 @@ private:
                });
     }
 
-    /// Extends an end, away from the middle of its line, to the next line.
+    /// Frees the end of a line, from its middle outwards, up to the next line.
     template <class Points, class Free>
     void free_up_to_touch(Points begin, Points end, Free is_free) const {
         for (; begin != end; ++begin) {
