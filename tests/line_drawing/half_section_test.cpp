@@ -163,6 +163,19 @@ TEST(HalfSection, HasAnAxisAndLinesThroughRimAndBase) {
     EXPECT_GT(share_drawn(sheet.groups[0], all.bottom(), middle - 15, middle + 15), 0.95);
 }
 
+TEST(HalfSection, KeepsItsLinesFarFromZero) {
+    const TriangleMesh vessel = small_vessel();
+    const auto length_at = [&](const Vector3d& place) {
+        double length = 0;
+        const Sheet sheet = sheet_helpers::sheet_of(moved(vessel, place), vessel_options());
+        for (const SheetLayer& layer : sheet.groups.at(0).layers)
+            length += sheet_helpers::length_of(layer);
+        return length;
+    };
+    const double length = length_at({0, 0, 0});
+    EXPECT_NEAR(length_at({5e5, 0, 5e6}), length, 0.01 * length);
+}
+
 TEST(HalfSection, HasNoLineFromTheInsideToTheOutside) {
     test_meshes::VesselShape shape;  // of which numbers of ends inside are also some outside
     shape.rings = 100;
