@@ -26,7 +26,7 @@ const char* const kFilterName = "Export Laplacian Lines Drawing";
 // Progress at the end of each step.
 constexpr double kFieldShare = 0.05, kSheetShare = 0.98;
 
-/// Name, scale and paper of the drawing, and the size of the object in the chosen unit.
+/// Name, scale and paper of the drawing, and the true size of the object; `size` in mm.
 QString report(const WorldLayers& layers, const QString& file, const Sheet& sheet,
                const Eigen::Vector3d& size, const SheetOptions& options) {
     return QString(
@@ -54,12 +54,14 @@ std::vector<line_drawing::SourceMesh> meshes_of(const WorldLayers& layers) {
     return meshes;
 }
 
-/// The name, with a number if that file is a drawing of other meshes.
+/// The name, with a number if that file is a drawing of other meshes, by their names, or one of the
+/// command or of Python, which say more of their making.
 QString free_name(const QString& name, const std::vector<line_drawing::SourceMesh>& meshes) {
     const QFileInfo info(name);
     QString result = name;
     for (int number = 2;; ++number) {
         QFile file(result);
+        if (!QFileInfo(file).isFile()) return result;  // not there, or a pipe, which would block
         if (!file.open(QIODevice::ReadOnly) ||
             !line_drawing::is_of_other_meshes(file.readAll().toStdString(), meshes))
             return result;
@@ -77,7 +79,7 @@ std::string in_system(const QString& name) {
     return QFile::encodeName(name).toStdString();
 }
 
-/// Source and title: the layers' names, unless the options have a title.
+/// Source: the layers' names. In the title {name} becomes these, without endings.
 void set_texts(const WorldLayers& layers, SheetOptions& options) {
     options.source = names_of(layers).toStdString();
     line_drawing::Words names;
@@ -86,7 +88,7 @@ void set_texts(const WorldLayers& layers, SheetOptions& options) {
     options.title = line_drawing::title_of(options.title, names);
 }
 
-/// Returns the file's whole path.
+/// Writes the file, under a free name; returns its whole path.
 QString write(Sheet& sheet, const WorldLayers& layers, const QString& name) {
     const std::vector<line_drawing::SourceMesh> meshes = meshes_of(layers);
     sheet.provenance = line_drawing::provenance_text(meshes);

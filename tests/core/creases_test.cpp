@@ -142,13 +142,13 @@ TEST(Creases, DoNotDependOnOtherBodies) {
     EXPECT_EQ(edges_of(mesh, creases_of(mesh)).size(), 24u);
 }
 
-/// A rod of rings with so many waves around it, whose vertices are not evenly spaced.
+/// A rod of rings with so many waves around it, whose vertices are not evenly spaced, but in order.
 TriangleMesh fluted(int waves, double height, int points, const std::vector<double>& places) {
     std::vector<Ring> rings;
     for (const double z : places) {
         Ring& ring = rings.emplace_back();
         for (int i = 0; i < points; ++i) {
-            const double angle = kTurn * (i + 0.8 * std::sin(2.9 * i)) / points;
+            const double angle = kTurn * (i + 0.5 * std::sin(2.9 * i)) / points;
             const double radius = 1 + height * std::sin(waves * angle);
             ring.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
         }
@@ -158,16 +158,22 @@ TriangleMesh fluted(int waves, double height, int points, const std::vector<doub
 
 /// Where vertices are far apart, some of the strips between them seem sharper than the others.
 TEST(Creases, OfFlutedRodsStandAmongLinesOfTheWholeLengthAlone) {
-    const auto expect = [](const TriangleMesh& rod, double length) {
-        const double least = 0.95 * length / measure_scale(rod).diagonal;
+    std::size_t creases = 0, others = 0;
+    const auto expect = [&](const TriangleMesh& rod, double length) {
+        const double least = 0.9 * length / measure_scale(rod).diagonal;
         for (const Eigen::Vector3d& eye : {Eigen::Vector3d(0.45, 0.42, 0.78), {0.71, 0.57, 0.41}})
-            for (const Polyline& line : creases_of(rod, LineStyle(), View::orthographic(eye)).lines)
-                EXPECT_TRUE(line.kind == LineKind::Crease || line.kind == LineKind::Contour ||
-                            line.length > least)
-                    << describe(line.kind).key << ' ' << line.length / least;
+            for (const Polyline& line :
+                 creases_of(rod, LineStyle(), View::orthographic(eye)).lines) {
+                creases += line.kind == LineKind::Crease;
+                if (line.kind == LineKind::Crease || line.kind == LineKind::Contour) continue;
+                ++others;
+                EXPECT_GT(line.length, least) << describe(line.kind).key;
+            }
     };
     expect(fluted(24, 0.05, 24 * 40, {0, 1.5}), 1.5);
     expect(fluted(4, 0.05, 150, {0, 0.7, 1.4, 2}), 2);
+    EXPECT_GT(creases, 0u);
+    EXPECT_GT(others, 0u);
 }
 
 /// A flat roof of three faces is no arc.
@@ -265,8 +271,8 @@ TEST(Creases, AreTheLowEdgesOfPyramids) {
             }
 }
 
-/// Of a fillet, tangent at both ends, neither its ends nor its facets; of a quarter of a circle
-/// that meets its neighbours at angles, its ends.
+/// Of a fillet, tangent at both ends, neither its ends nor its facets; of an eighth of a circle,
+/// which meets its neighbours at angles, its ends.
 TEST(Creases, AreTheEndsOfArcsThatAreNotTangent) {
     for (const int facets : {3, 4, 6, 12}) {
         std::vector<Eigen::Vector2d> fillet{{-2, -2}, {1, -2}}, bulge = fillet;

@@ -50,6 +50,7 @@ const LargeMesh kMeshes[] = {
     {"MillionVerticesAtTwoPoints", [] { return test_meshes::on_a_line(1000000, 2); }, 0, true},
     {"MillionVerticesOnALine", [] { return test_meshes::on_a_line(1000000, 1000000); }, 0, true},
     {"HundredThousandTrianglesOnOneEdge", [] { return test_meshes::book(100000); }},
+    {"HundredThousandTrianglesNearlyInOnePlane", [] { return test_meshes::book(100000, 0.6); }},
     {"HundredThousandPieces", [] { return tetrahedra(100000); }},
 };
 

@@ -68,15 +68,21 @@ TEST(DecorationSettings, ThatAreUnknownNameAllOthers) {
 }
 
 TEST(ComparedPictures, OfAllAreTheMixturesButThatOfAllKinds) {
-    const auto all = compared_pictures("all");
-    ASSERT_EQ(all.size(), laplacian_lines::kLineMixtures.size() - 1);
-    EXPECT_EQ(all.front().label, "Laplacian Lines");
-    EXPECT_EQ(all.front().commands, QStringList{"setdeco Lines = Outlines and Laplacian Lines"});
+    QList<QStringList> expected, all;
+    for (const auto& mixture : laplacian_lines::kLineMixtures)
+        if (std::string(mixture.key) != "all_kinds")
+            expected << QStringList{QString("setdeco Lines = ") + mixture.label};
+    for (const ComparedPicture& picture : compared_pictures("all"))
+        all << picture.commands;
+    EXPECT_EQ(all, expected);
+    EXPECT_EQ(compared_pictures("all").front().label, "Laplacian Lines");
 }
 
 TEST(ComparedPictures, AreMixturesOrTickedKinds) {
     const auto two = compared_pictures("apparent_ridges, ridges+creases");
     ASSERT_EQ(two.size(), 2u);
+    EXPECT_EQ(two[0].label, "Apparent Ridges");
+    EXPECT_EQ(two[1].label, "ridges+creases");
     EXPECT_EQ(two[0].commands, QStringList{"setdeco Lines = Apparent Ridges"});
     EXPECT_EQ(two[1].commands,
               (QStringList{"setdeco Lines = As Ticked Below", "setdeco Laplacian Lines = off",
@@ -86,13 +92,16 @@ TEST(ComparedPictures, AreMixturesOrTickedKinds) {
         compared_pictures("usual").front().commands.contains("setdeco Laplacian Lines = on"));
 }
 
-TEST(ComparedPictures, OfUnknownNamesListThose) {
+TEST(ComparedPictures, OfUnknownNamesAreRefusedWithAllThatAreKnown) {
     for (const char* names : {"", "ridge", "ridges,", "valleys", "ridges+valleys"})
         try {
             compared_pictures(names);
             ADD_FAILURE() << names << " is taken";
         } catch (const laplacian_lines::Error& error) {
-            EXPECT_NE(std::string(error.what()).find("ridges_and_valleys, "), std::string::npos);
+            for (const auto& mixture : laplacian_lines::kLineMixtures)
+                EXPECT_NE(std::string(error.what()).find(std::string(" ") + mixture.key),
+                          std::string::npos)
+                    << names << ": " << mixture.key;
         }
 }
 

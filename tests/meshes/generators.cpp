@@ -339,10 +339,10 @@ TriangleMesh star(int triangles) {
     return mesh;
 }
 
-TriangleMesh book(int pages) {
+TriangleMesh book(int pages, double opening) {
     TriangleMesh mesh{{{0, 0, -1}, {0, 0, 1}}, {}};
     for (int i = 0; i < pages; ++i) {
-        const double angle = 3.0 * i / pages;
+        const double angle = opening * i / pages;
         mesh.positions.push_back({std::cos(angle), std::sin(angle), 0});
         mesh.triangles.push_back({0, 1, std::uint32_t(i + 2)});
     }

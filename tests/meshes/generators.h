@@ -96,8 +96,8 @@ TriangleMesh fan_of_sheets(int sheets, int cells);
 /// Squares z = 0 facing down and z = `distance` facing up: a thin wall without rim.
 TriangleMesh parallel_sheets(int cells, double distance);
 
-TriangleMesh star(int triangles);  ///< around one vertex
-TriangleMesh book(int pages);      ///< triangles on one edge
+TriangleMesh star(int triangles);                  ///< around one vertex
+TriangleMesh book(int pages, double opening = 3);  ///< triangles on one edge; radians
 /// Triangles of vertices at so many places in turn: without area.
 TriangleMesh on_a_line(std::uint32_t vertices, std::uint32_t places);
 /// Each triangle gets vertices of its own.

@@ -11,7 +11,7 @@ def without_provenance(file):
     if file.endswith(".pdf"):
         return output("pdftocairo", "-svg", file, "-")
     if file.endswith(".png"):
-        return output("convert", file, "ppm:-", encoding="latin-1")
+        return output("convert", file, "-strip", "ppm:-", encoding="latin-1")
     lines = text_of(file).splitlines()
     if file.endswith(".dxf"):  # comments, of two lines each
         return [line for before, line in zip(["", *lines], lines) if "999" not in (before, line)]

@@ -55,8 +55,9 @@ constexpr FieldColumn field_column(const char* key, const char* help, const char
         [](Field& field) { return reinterpret_cast<float*>((field.*Member).data()); }};
 }
 
-/// One row per column; attributes, their documentation and all checks of sizes come from it. New
-/// rows come last: files name columns by their number.
+/// One row per column; attributes and all checks of sizes come from it, and a test compares the
+/// documentation. Files and scripts know columns by the names of their attributes, meshlab_host's
+/// record, in memory, by row: another order needs another FieldRecord::current_layout.
 inline constexpr std::array kFieldColumns = {
     field_column<&Field::normals>("normals", "unit normal n, smoothed, outward", "",
                                   {{{"ll_normal", 3}}}),

@@ -3,9 +3,10 @@
 // lines that need them:
 //  1. Around each vertex, a linear function of the tangent plane is fitted to S of its neighbours:
 //     S̄ is its value within a small radius, C its slope within a larger one (TensorFits).
-//  2. Where too few neighbours are in reach, C is the mean of the differences within the triangles
-//     at the vertex.
-//  3. Both go back to the mesh's unit, and to vertices that were left out or welded.
+//  2. Without a fit (too few neighbours, about on one line, or sums that take too long) S̄ is S, and
+//     C the mean of the differences within the triangles at the vertex.
+//  3. Both go back to the mesh's unit and vertices: welded ones get those of their representative,
+//     those that were left out 0.
 #include <algorithm>
 
 #include "field/cubic_form.h"
@@ -56,11 +57,11 @@ CornerInPlane corner_in_plane(const CurvedVertex& corner, const TrianglePlane& p
     return {{t.dot(st), b.dot(st), b.dot(sb)}, {t.dot(corner.u), t.dot(corner.v)}};
 }
 
-/// Adds the derivative of S within a triangle, times its area, in the frames of its corners'
+/// Adds the derivative of S within a triangle, times twice its area, in the frames of its corners'
 /// curved_vertex(): S is linear between corners, in the triangle's plane, and the result is made
 /// symmetric, as on smooth surfaces (Codazzi). S. Rusinkiewicz, "Estimating Curvatures and Their
 /// Derivatives on Triangle Meshes", 3DPVT 2004, section 4, without least squares. Adds nothing if
-/// the triangle faces another way than its corners.
+/// the triangle faces another way than one of its corners.
 void add_differences(const PreparedMesh& mesh, const Field& field, const Triangle& t,
                      std::vector<CubicForm>& forms, std::vector<double>& areas) {
     const TrianglePlane plane(mesh.positions, t);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Chains of edges where the surface ends, or several surfaces meet at an angle. Connected chains
-// are judged together: each ends where ribs stand on a plate.
+// are judged together, for a chain ends wherever another meets it, as ribs on a plate do.
 #include <algorithm>
 #include <vector>
 
@@ -14,25 +14,29 @@
 namespace laplacian_lines {
 namespace {
 
-// Least length of connected borders, in shortest lines: pinholes have none.
+// Least length of connected borders, in shortest lines: those of pinholes are not drawn.
 constexpr float kPinhole = 3;
 
-/// Whether some of the triangles at these sides of an edge meet at an angle; copies do not.
+/// Whether some of the triangles at these sides of an edge meet at an angle; copies do not. Planes
+/// that are all within 40 degrees of the first differ by the range of their angles to it.
 template <class Sides>
 bool are_bent(const Surface& surface, Sides first, Sides last) {
-    const float bent = cosine_of(kEdgeAngle / kDegrees);
-    for (; first != last; ++first)
-        if (std::any_of(first + 1, last, [&](std::uint32_t side) {
-                return std::abs(dot(surface.facet(*first / 3).normal,
-                                    surface.facet(side / 3).normal)) < bent;
-            }))
-            return true;
-    return false;
+    const Eigen::Vector3f normal = surface.facet(*first / 3).normal,
+                          along = unit(surface.span(*first));
+    float least = 0, most = 0;
+    for (; first != last; ++first) {
+        const Eigen::Vector3f& other = surface.facet(*first / 3).normal;
+        const float sine = dot(normal.cross(other), along), cosine = dot(normal, other);
+        const float turn = arc_tangent(cosine < 0 ? -sine : sine, std::abs(cosine)) * kDegrees;
+        least = std::min(least, turn);
+        most = std::max(most, turn);
+    }
+    return most - least > kEdgeAngle;
 }
 
 /// A side of each border, in the order of edges.
 std::vector<std::uint32_t> border_sides(const Surface& surface) {
-    // by the table: also beside triangles without an area
+    // by the table, where a triangle without an area is a neighbour, too
     auto open = numbers_where(surface.sides().side_count(), [&](std::uint32_t side) {
         return !surface.sides().has_neighbour(side);
     });

@@ -5,8 +5,8 @@ namespace laplacian_lines {
 
 void FixedLines::append(const ExtractorData& data, const LocalEye& eye, const LineStyle& style,
                         LineSet& lines) {
-    for (std::size_t i = 0; i < kFixedKindCount; ++i) {
-        const LineKind kind = fixed_kinds()[i]->kind;
+    for (std::size_t i = 0; i < kFixedKinds.size(); ++i) {
+        const LineKind kind = kFixedKinds[i]->kind;
         if (style.shows[kind] && can_extract(kind, data))
             find(data, i).append(data, *this, eye, style, lines);
     }
@@ -16,8 +16,8 @@ void FixedLines::append(const ExtractorData& data, const LocalEye& eye, const Li
 
 std::shared_ptr<const LineSet> FixedLines::whole(const ExtractorData& data, LineKind kind,
                                                  const LineStyle& style) {
-    for (std::size_t i = 0; i < kFixedKindCount; ++i)
-        if (fixed_kinds()[i]->kind == kind && style.shows[kind])
+    for (std::size_t i = 0; i < kFixedKinds.size(); ++i)
+        if (kFixedKinds[i]->kind == kind && style.shows[kind])
             return find(data, i).whole(data, *this, style);
     return nullptr;
 }
@@ -29,7 +29,7 @@ std::shared_ptr<const Surface> FixedLines::surface(const ExtractorData& data) {
 }
 
 const FixedKindLines& FixedLines::find(const ExtractorData& data, std::size_t number) {
-    return *found_[number].get([&] { return fixed_kinds()[number]->find(data, *this); });
+    return *found_[number].get([&] { return kFixedKinds[number]->find(data, *this); });
 }
 
 }  // namespace laplacian_lines

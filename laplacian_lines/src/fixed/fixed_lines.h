@@ -52,10 +52,8 @@ extern const FixedKind kCreases;            ///< creases.cpp
 extern const FixedKind kValleys;            ///< ridges.cpp
 extern const FixedKind kDemarcatingCurves;  ///< demarcating_curves.cpp
 
-constexpr std::size_t kFixedKindCount = 5;
-inline std::array<const FixedKind*, kFixedKindCount> fixed_kinds() {
-    return {&kRidges, &kBorders, &kCreases, &kValleys, &kDemarcatingCurves};
-}
+inline constexpr std::array kFixedKinds = {&kRidges, &kBorders, &kCreases, &kValleys,
+                                           &kDemarcatingCurves};
 
 /// Found when a style first shows them. Thread-safe.
 class FixedLines {
@@ -74,7 +72,7 @@ public:
 private:
     const FixedKindLines& find(const ExtractorData& data, std::size_t number);
 
-    std::array<OnDemand<std::unique_ptr<const FixedKindLines>>, kFixedKindCount> found_;
+    std::array<OnDemand<std::unique_ptr<const FixedKindLines>>, kFixedKinds.size()> found_;
     std::mutex mutex_;
     std::shared_ptr<const Surface> surface_;
 };

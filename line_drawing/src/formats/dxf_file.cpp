@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A page as DXF of AutoCAD's release 12, which every program reads: it has polylines but no curves,
-// and names of ASCII letters.
+// A page as DXF of AutoCAD's release 12, which every program reads: it has polylines but no Bézier
+// curves, and names of ASCII letters.
 #include <algorithm>
 #include <initializer_list>
 #include <map>
