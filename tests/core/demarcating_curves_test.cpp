@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Demarcating curves: on reliefs whose flanks are known, and against a plain extraction.
+// Demarcating curves: on reliefs whose flanks are known, and nowhere without flanks.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,8 +25,8 @@ LineSet curves(const TriangleMesh& mesh, const LineStyle& style = only_demarcati
 }
 
 /// A plate with a round step of the given height, its middle at the radius 0.5.
-TriangleMesh relief(double height, double jitter = 0, int cells = 120) {
-    test_meshes::Grid grid{cells, cells};
+TriangleMesh relief(double height, double jitter = 0) {
+    test_meshes::Grid grid{120, 120};
     grid.jitter = jitter;
     return test_meshes::grid_mesh(grid, [=](double u, double v) {
         const double x = 2 * u - 1, y = 2 * v - 1;

@@ -3,7 +3,6 @@
 // allocate nothing.
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <thread>
 
 #include "allocation_hook.h"
@@ -229,7 +228,7 @@ TEST_F(Extraction, LeavesTheScratchUsableAfterAnError) {
     LineSet lines;
     LineStyle bad;
     bad.full_slope = 0;
-    EXPECT_THROW(extractor_.extract(views_[0], bad, scratch, lines), std::exception);
+    EXPECT_THROW(extractor_.extract(views_[0], bad, scratch, lines), Error);
     extractor_.extract(views_[0], {}, scratch, lines);
     EXPECT_TRUE(helpers::same_lines(lines, helpers::extract(extractor_, views_[0], {})));
 }

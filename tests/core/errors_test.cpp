@@ -73,7 +73,9 @@ TEST(InvalidOption, NamesThoseForDrawings) {
         EXPECT_NE(message.find("drawn_kernel_size"), std::string::npos) << message;
         options.drawn_kernel_size = 1;
         options.least_drawn_edges = value;
-        expect_error(ErrorCode::InvalidOption, [&] { measure_scale(small_mesh(), options); });
+        const std::string other =
+            expect_error(ErrorCode::InvalidOption, [&] { measure_scale(small_mesh(), options); });
+        EXPECT_NE(other.find("least_drawn_edges"), std::string::npos) << other;
     }
 }
 

@@ -3,10 +3,7 @@
 // of one surface: at borders and thin walls.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
-#include <ostream>
 
 #include "helpers.h"
 #include "laplacian_lines/precompute.h"
@@ -148,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(Estimators, ShapeOperators,
                                                                                  : "LeastSquares";
                          });
 
-/// Vertices of a half torus (0 <= u <= π) with less than `reach` along the ring to a border.
+/// Vertices of a half torus (0 <= u <= π) less than `reach` from the plane of its borders.
 std::vector<bool> near_border(const TriangleMesh& half_torus, double reach) {
     std::vector<bool> near;
     for (const Eigen::Vector3d& p : half_torus.positions)
@@ -192,12 +189,13 @@ TEST(Borders, CorrectionLeavesTheInsideAlone) {
 TEST(ThinWalls, SmoothingTakesNoNormalsFromTheOppositeSheet) {
     PrecomputeOptions options;
     options.normal_sigma = 3;
-    const TriangleMesh mesh = test_meshes::parallel_sheets(40, 0.01);
+    TriangleMesh mesh = test_meshes::parallel_sheets(40, 0.01);
+    for (Eigen::Vector3d& p : mesh.positions)  // parallel normals would only shorten
+        p.z() *= 1 + p.x() / 2;
     const Field field = precompute(mesh, options);
+    const Eigen::Vector3f up = Eigen::Vector3f(-0.005f, 0, 1).normalized(), down(0, 0, -1);
     for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-        EXPECT_LT((field.normals[v] - Eigen::Vector3f(0, 0, mesh.positions[v].z() > 0 ? 1.f : -1.f))
-                      .norm(),
-                  1e-6);
+        EXPECT_LT((field.normals[v] - (mesh.positions[v].z() > 0 ? up : down)).norm(), 1e-4);
 }
 
 /// The two sides of a shell: spheres of radius 1 facing out and 0.97 facing in.

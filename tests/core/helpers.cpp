@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -33,6 +34,17 @@ double error_of(std::size_t count, const Numbers& got, const Numbers& expected,
         size += expected(v).squaredNorm();
     }
     return std::sqrt(error / size);
+}
+
+/// C in the frame of a normal, as Field::curvature_derivatives has it.
+Eigen::Vector4d derivative_entries(const std::array<Eigen::Matrix3d, 3>& derivative,
+                                   const Eigen::Vector3f& normal) {
+    const TangentFrame frame = tangent_frame(normal);
+    const Eigen::Vector3d u = frame.u.cast<double>(), v = frame.v.cast<double>();
+    const auto along = [&](const Eigen::Vector3d& x) -> Eigen::Matrix3d {
+        return x.x() * derivative[0] + x.y() * derivative[1] + x.z() * derivative[2];
+    };
+    return {u.dot(along(u) * u), u.dot(along(u) * v), v.dot(along(u) * v), v.dot(along(v) * v)};
 }
 
 }  // namespace
@@ -77,16 +89,6 @@ Eigen::Vector3d curvature_entries(const Eigen::Matrix3d& s, const Eigen::Vector3
     const TangentFrame frame = tangent_frame(normal);
     const Eigen::Vector3d u = frame.u.cast<double>(), v = frame.v.cast<double>();
     return {u.dot(s * u), u.dot(s * v), v.dot(s * v)};
-}
-
-Eigen::Vector4d derivative_entries(const std::array<Eigen::Matrix3d, 3>& derivative,
-                                   const Eigen::Vector3f& normal) {
-    const TangentFrame frame = tangent_frame(normal);
-    const Eigen::Vector3d u = frame.u.cast<double>(), v = frame.v.cast<double>();
-    const auto along = [&](const Eigen::Vector3d& x) -> Eigen::Matrix3d {
-        return x.x() * derivative[0] + x.y() * derivative[1] + x.z() * derivative[2];
-    };
-    return {u.dot(along(u) * u), u.dot(along(u) * v), v.dot(along(u) * v), v.dot(along(v) * v)};
 }
 
 Eigen::Matrix3d matrix(const ShapeOperator& s) {
@@ -203,11 +205,12 @@ std::vector<View> random_views(const TriangleMesh& mesh, int count) {
     for (const Eigen::Vector3d& p : mesh.positions)
         if (p.allFinite() && p.norm() < 1e4) box.extend(p);
     std::mt19937 random(11);
-    const auto unit = [&] { return double(random()) / double(std::mt19937::max()) - 0.5; };
+    const auto unit = [&] { return test_meshes::signed_unit(random); };
     std::vector<View> views;
     for (int i = 0; i < count; ++i) {
-        const Eigen::Vector3d direction = Eigen::Vector3d(unit(), unit(), unit()).normalized();
-        const double distance = box.diagonal().norm() * (0.6 + 8 * std::pow(unit() + 0.5, 2));
+        const double z = unit(), y = unit(), x = unit();
+        const Eigen::Vector3d direction = Eigen::Vector3d(x, y, z).normalized();
+        const double distance = box.diagonal().norm() * (0.6 + 2 * std::pow(unit() + 1, 2));
         views.push_back(i % 4 == 3 ? View::orthographic(direction * 3)
                                    : View::perspective(box.center() + distance * direction));
     }
@@ -238,14 +241,9 @@ double distance_to_lines(const Eigen::Vector3d& p, const LineSet& lines) {
 }
 
 std::multiset<Edge> edges_of(const TriangleMesh& mesh, const LineSet& lines) {
-    std::map<std::array<float, 3>, std::uint32_t> vertex;
-    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-        const Eigen::Vector3f p = mesh.positions[v].cast<float>();
-        vertex[{p.x(), p.y(), p.z()}] = v;
-    }
-    const auto find = [&](const Eigen::Vector3f& p) -> std::uint32_t {
-        for (const auto& [q, v] : vertex)
-            if ((p - Eigen::Vector3f(q[0], q[1], q[2])).norm() < 1e-5) return v;
+    const auto find = [&](const Eigen::Vector3f& p) {
+        for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
+            if ((p - mesh.positions[v].cast<float>()).norm() < 1e-5) return v;
         throw std::logic_error("a point that is not a vertex");
     };
     std::multiset<Edge> edges;
@@ -283,7 +281,8 @@ bool same_lines(const LineSet& a, const LineSet& b) {
                p.closed == q.closed && p.strength == q.strength && p.length == q.length &&
                p.slope == q.slope;
     };
-    return std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
+    return a.origin == b.origin &&
+           std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
                       same_point) &&
            std::equal(a.lines.begin(), a.lines.end(), b.lines.begin(), b.lines.end(), same_line);
 }

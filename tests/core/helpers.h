@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <functional>
 #include <set>
 #include <utility>
@@ -28,10 +27,6 @@ double derivative_error(const laplacian_lines::Field& field,
 
 /// S in the frame of a normal, as Field::smooth_curvatures has it.
 Eigen::Vector3d curvature_entries(const Eigen::Matrix3d& s, const Eigen::Vector3f& normal);
-
-/// C in the frame of a normal, as Field::curvature_derivatives has it.
-Eigen::Vector4d derivative_entries(const std::array<Eigen::Matrix3d, 3>& derivative,
-                                   const Eigen::Vector3f& normal);
 
 Eigen::Matrix3d matrix(const laplacian_lines::ShapeOperator& s);
 

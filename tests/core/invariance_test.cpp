@@ -138,7 +138,7 @@ void expect_moved_lines(const Eigen::Matrix3d& turn, double scale, const Eigen::
         }
 }
 
-/// A quarter turn keeps the box's diagonal, on which thresholds depend.
+/// A turn of axes into axes keeps the box's diagonal, on which thresholds depend.
 TEST(Invariance, LinesOfAllKindsMoveAndScaleWithTheMesh) {
     Eigen::Matrix3d turn;
     turn << 0, -1, 0, 0, 0, -1, 1, 0, 0;

@@ -46,7 +46,8 @@ TEST(Fading, OpenEndsRunOutOverTheGivenLength) {
     LineStyle style = all_opaque();
     style.end_length = 0.1;
     const LineSet set = Synthetic().lines(style);
-    const double end = 1 / Synthetic::kDiagonal;  // local distance of the ends from the middle
+    ASSERT_EQ(set.lines.size(), 1u);
+    const double end = 1 / Synthetic::kDiagonal;  // of an end from the middle, in D
     for (const LinePoint& p : set.points) {
         const double to_end = end - std::abs(p.position.y()) / Synthetic::kDiagonal;
         EXPECT_NEAR(p.opacity, std::clamp(to_end / 0.1, 0., 1.), 1e-3);
@@ -137,7 +138,7 @@ TEST(Detail, DrawsFaintLinesInFull) {
     EXPECT_LE(most(20), most(50));
 }
 
-LineSet noisy_torus_lines(double smoothing) {
+LineSet jittered_torus_lines(double smoothing) {
     static const TriangleMesh& mesh = test_meshes::mesh_named("torus_jittered").mesh;
     static const LineExtractor extractor(mesh, precompute(mesh));
     LineStyle style = helpers::all_crossings();
@@ -157,12 +158,12 @@ double roughness(const LineSet& set) {
 }
 
 TEST(LineSmoothing, MakesLinesSmoother) {
-    EXPECT_LT(roughness(noisy_torus_lines(1.2)), roughness(noisy_torus_lines(0)) / 4);
-    EXPECT_LT(roughness(noisy_torus_lines(3)), roughness(noisy_torus_lines(1.2)) / 2);
+    EXPECT_LT(roughness(jittered_torus_lines(1.2)), roughness(jittered_torus_lines(0)) / 4);
+    EXPECT_LT(roughness(jittered_torus_lines(3)), roughness(jittered_torus_lines(1.2)) / 2);
 }
 
 TEST(LineSmoothing, KeepsTheLinesAndTheirEnds) {
-    const LineSet rough = noisy_torus_lines(0), smooth = noisy_torus_lines(2);
+    const LineSet rough = jittered_torus_lines(0), smooth = jittered_torus_lines(2);
     ASSERT_EQ(smooth.lines.size(), rough.lines.size());
     bool has_closed = false;
     for (std::size_t i = 0; i < rough.lines.size(); ++i) {
@@ -188,7 +189,9 @@ TEST(LineSmoothing, KeepsTheLinesAndTheirEnds) {
 TEST(LineSmoothing, LeavesStraightLinesStraight) {
     LineStyle style = helpers::all_laplacian_lines();
     style.line_smoothing = 3;
-    for (const LinePoint& p : Synthetic().lines(style).points)
+    const LineSet set = Synthetic().lines(style);
+    ASSERT_EQ(set.lines.size(), 1u);
+    for (const LinePoint& p : set.points)
         EXPECT_NEAR(p.position.x(), Synthetic().offset, 1e-6);
 }
 

@@ -53,8 +53,7 @@ TEST(KindsNamed, AreThoseWithTheOutlines) {
               "laplacian_lines+contours+ridges+borders+valleys");
     EXPECT_EQ(kinds("ridges_and_valleys"), kinds("ridges+valleys"));
     EXPECT_EQ(kinds("usual"), "laplacian_lines+contours+ridges+borders+creases");
-    for (const LineKindDescription& row : kLineKinds)
-        EXPECT_NE(kinds("all_kinds").find(row.key), std::string::npos) << row.key;
+    EXPECT_TRUE(kinds_named("all_kinds") == all_kinds());
 }
 
 TEST(KindsNamed, AreNothingWhereOneIsNotKnown) {
@@ -64,12 +63,17 @@ TEST(KindsNamed, AreNothingWhereOneIsNotKnown) {
 
 TEST(KindsNamed, AreAllListed) {
     std::string names = names_of_kinds() + ", ";
-    std::size_t count = 0;
-    for (std::size_t end; (end = names.find(", ")) != std::string::npos; ++count) {
+    std::set<std::string> listed;
+    for (std::size_t end; (end = names.find(", ")) != std::string::npos;) {
         EXPECT_NE(kinds(names.substr(0, end)), "?") << names.substr(0, end);
+        EXPECT_TRUE(listed.insert(names.substr(0, end)).second) << names.substr(0, end);
         names = names.substr(end + 2);
     }
-    EXPECT_GT(count, kLineKindCount);
+    EXPECT_EQ(listed.count("usual"), 1u);
+    for (const LineKindDescription& row : kLineKinds)
+        EXPECT_EQ(listed.count(row.key), 1u) << row.key;
+    for (const LineMixture& mixture : kLineMixtures)
+        EXPECT_EQ(listed.count(mixture.key), 1u) << mixture.key;
 }
 
 }  // namespace
