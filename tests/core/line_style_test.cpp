@@ -109,6 +109,7 @@ TEST(Kinds, ContoursAskOnlyForTheirLength) {
     const View view = View::perspective({3, 2, 4});
     LineStyle style = helpers::all_contours();
     const LineSet expected = extract(extractor, view, style);
+    ASSERT_FALSE(expected.lines.empty());
     style.gradient_threshold = style.strength_threshold = style.segment_slope = 1e6;
     style.line_slope = 1e6;
     style.shortest_line = 10;
@@ -150,7 +151,8 @@ TEST(SingleStrokes, FollowALightElsewhere) {
     EXPECT_FALSE(is_drawn(-1, view));
 }
 
-/// The measure −l·S l/(‖w‖‖S l‖) goes from nothing at −fading/4 to full at fading/2.
+/// The measure −l·S l/(‖w‖‖S l‖), w the tangential part of l, goes from nothing at −fading/4 to
+/// full at fading/2.
 TEST(SingleStrokes, FadeInFromConvexToConcave) {
     const Eigen::Vector3d l = Eigen::Vector3d(0, 0.6, 0.8);
     for (const double trace : {0.08, 0.03, -0.05, -0.2, -0.4}) {
@@ -186,8 +188,6 @@ TEST(SingleStrokes, ArePartOfThePapersLines) {
 }
 
 const Eigen::Vector3d kOblique = Eigen::Vector3d(1, 2, 3).normalized();
-using helpers::extract;
-using helpers::total_length;
 
 /// On a sphere ΔI = Δn·d vanishes where n·d does, whatever the eye; contours stay the eye's.
 TEST(Light, DirectionalLightDrawsItsOwnTerminator) {
@@ -196,6 +196,7 @@ TEST(Light, DirectionalLightDrawsItsOwnTerminator) {
                                   helpers::true_field(sphere, measure_scale(sphere.mesh)));
     View view = View::perspective(4 * kOblique);
     const LineSet contours = extract(extractor, view, helpers::all_contours());
+    ASSERT_FALSE(contours.lines.empty());
     view.light = Eigen::Vector3d(0.3, -5, 1);
     const LineSet lines = extract(extractor, view, helpers::all_laplacian_lines());
     ASSERT_EQ(lines.lines.size(), 1u);

@@ -6,7 +6,6 @@
 
 #include "laplacian_lines/field.h"
 #include "laplacian_lines/line_style.h"
-#include "laplacian_lines/precompute_options.h"
 #include "laplacian_lines/triangle_mesh.h"
 #include "laplacian_lines/view.h"
 

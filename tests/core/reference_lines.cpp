@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "helpers.h"
 #include "laplacian_lines/tangent_frame.h"
 #include "reference.h"
 
@@ -90,13 +91,11 @@ public:
 
 private:
     Vertex vertex(const Field& field, std::size_t v) const {
-        const ShapeOperator& s = field.shape_operators[v];
         Vertex vertex;
         vertex.position = (mesh_.positions[v] - centre_) / diagonal_;
         vertex.normal = field.normals[v].cast<double>();
         vertex.laplacian = field.laplacian_normals[v].cast<double>() * diagonal_ * diagonal_;
-        vertex.shape_operator << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
-        vertex.shape_operator *= diagonal_;
+        vertex.shape_operator = helpers::matrix(field.shape_operators[v]) * diagonal_;
         const Vector3d l = light_.from(vertex.position);
         if (kind_ == LineKind::Laplacian) {
             vertex.value = vertex.laplacian.dot(l);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <vector>
 
@@ -120,7 +119,7 @@ TEST(Ridges, FollowRoundedEdgesOfCadMeshes) {
     }
 }
 
-/// A narrower one turns by all of its angle, whatever triangles it is made of; less where normals
+/// A narrow edge turns by all of its angle, whatever triangles it is made of; less where normals
 /// are smoothed over more than 1 % of D.
 TEST(Ridges, HaveTheSameAngleAtAnyResolution) {
     struct Resolution {

@@ -28,7 +28,7 @@ double sigma_of(const TriangleMesh& mesh) {
     return sigma_of(precompute(mesh));
 }
 
-/// All kinds, from the front, in D.
+/// Of all that is drawn by default, whether hidden or not; in D.
 double drawn_length(const TriangleMesh& mesh, const PrecomputeOptions& options) {
     const Field field = precompute(mesh, options);
     const double d = field.scale.diagonal;

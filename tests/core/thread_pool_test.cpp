@@ -44,7 +44,7 @@ TEST(ThreadPool, AreSharedByCallersAtOnce) {
     EXPECT_EQ(different, 0);
 }
 
-/// Which come from the caller alone.
+/// Callbacks run in the caller's thread alone.
 TEST(ThreadPool, PassOnWhatCallbacksThrow) {
     const WithThreads scope(4);
     const std::thread::id caller = std::this_thread::get_id();

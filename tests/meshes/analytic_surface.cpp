@@ -35,7 +35,6 @@ public:
         return d;
     }
 
-    Jet operator-() const { return Jet() - *this; }
     friend Jet operator+(Jet a, const Jet& b) {
         for_each_term([&](int i, int j) { a.c_[i][j] += b.c_[i][j]; });
         return a;

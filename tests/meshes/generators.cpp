@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -62,7 +61,7 @@ TriangleMesh icosahedron() {
     return mesh;
 }
 
-/// An icosphere, jittered by up to `jitter` edges, then mapped.
+/// An icosphere, jittered by up to `jitter` edges along each axis, then mapped.
 AnalyticMesh mapped_icosphere(int level, double jitter,
                               const std::function<SurfacePoint(const Eigen::Vector3d&)>& point) {
     AnalyticMesh result{icosphere(level), {}};
@@ -398,6 +397,15 @@ TriangleMesh cavity(TriangleMesh mesh) {
 
 TriangleMesh moved(TriangleMesh mesh, const Eigen::Vector3d& by, double factor) {
     return mapped(std::move(mesh), [&](Eigen::Vector3d& p) { p = factor * p + by; });
+}
+
+TriangleMesh rounded_to_floats(TriangleMesh mesh) {
+    std::vector<Eigen::Vector3f> floats;  // in memory: GCC 12 does not round two at once to and fro
+    for (const Eigen::Vector3d& p : mesh.positions)
+        floats.push_back(p.cast<float>());
+    for (std::size_t v = 0; v < floats.size(); ++v)
+        mesh.positions[v] = floats[v].cast<double>();
+    return mesh;
 }
 
 TriangleMesh with_dirt(const TriangleMesh& mesh, std::vector<std::uint32_t>& clean_vertex) {

@@ -28,9 +28,9 @@ struct SurfacePoint {
     std::array<Eigen::Matrix3d, 3> shape_derivative;
 };
 
-/// On the ray from the origin.
+/// Where the point of the unit sphere goes that is in this direction.
 SurfacePoint ellipsoid_point(const Eigen::Vector3d& direction, const Eigen::Vector3d& half_axes);
-/// Smooth bumps and grooves of about a tenth of the radius.
+/// On the ray from the origin: smooth bumps and grooves of about a tenth of the radius 1.
 SurfacePoint bumpy_point(const Eigen::Vector3d& direction);
 
 struct Torus {
@@ -117,6 +117,7 @@ TriangleMesh mapped(TriangleMesh mesh, const Change& change) {
 }
 TriangleMesh moved(TriangleMesh mesh, const Eigen::Vector3d& by,
                    double factor = 1);  ///< scaled first
+TriangleMesh rounded_to_floats(TriangleMesh mesh);
 /// Each triangle cut in four at the middles of its sides.
 TriangleMesh subdivided(TriangleMesh mesh, int times = 1);
 

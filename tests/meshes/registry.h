@@ -15,7 +15,7 @@ struct TestMesh {
     std::vector<SurfacePoint> truth;  ///< by vertex, if it samples a smooth surface
 };
 
-/// Of a few thousand triangles each.
+/// Of 20,000 triangles at most.
 std::vector<std::string> mesh_names();
 
 /// Generated on first use: each test process asks for all names, but few meshes.
