@@ -38,7 +38,7 @@ TEST_F(GeometryCheckTest, IsDueUnlessTheCameraAloneHasMoved) {
     EXPECT_FALSE(is_due_after_move(1));
 }
 
-/// At least every quarter of a second.
+/// A quarter of a second after the last check.
 TEST_F(GeometryCheckTest, IsDueNowAndThenWhileTheCameraMoves) {
     is_due_without_move();
     QElapsedTimer clock;

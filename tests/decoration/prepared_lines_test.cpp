@@ -54,7 +54,7 @@ TEST_F(PreparedLinesTest, GetDerivativesWithoutBeingPreparedAgain) {
     EXPECT_EQ(said_.filter("also need").size(), 1);
 }
 
-/// Fails because the mesh is another one.
+/// Adding them fails because the mesh is another one.
 TEST_F(PreparedLinesTest, StayAsTheyAreWithoutDerivatives) {
     const auto source = field_source(mesh_);
     const PreparedLinesPointer lines = prepare_lines(mesh_, "sheet", source, say());

@@ -163,6 +163,7 @@ TEST_F(PrintedViewsTest, AreOfAllLayersWhichHideEachOther) {
     const int one = inked(request(turned(0, scene_of({before})), true).picture),
               hidden = inked(request(turned(0, scene_of({here, before})), true).picture),
               two = inked(request(turned(0, scene_of({here, beside})), true).picture);
+    EXPECT_GT(one, 400);
     EXPECT_NEAR(hidden, one, 0.02 * one);
     EXPECT_GT(two, 1.1 * one) << "as far as the window shows it";
 }

@@ -21,12 +21,10 @@ protected:
         return result;
     }
 
-    /// One redraw of meshes 0, 1, ...; returns how many layers were as expected.
-    int redraw(const std::vector<SurfaceLayer>& layers) {
-        int expected = 0;
+    /// Of meshes 0, 1, ..., once.
+    void redraw(const std::vector<SurfaceLayer>& layers) {
         for (std::size_t i = 0; i < layers.size(); ++i)
-            expected += layers_.reach(view_, &widget_, int(i), layers[i], i == 0, is_painted_);
-        return expected;
+            layers_.reach(view_, &widget_, int(i), layers[i], i == 0, is_painted_);
     }
 
     int redraws_after(const std::vector<SurfaceLayer>& layers) {

@@ -17,12 +17,8 @@ using test_meshes::moved;
 
 namespace {
 
-laplacian_lines::TriangleMesh small_vessel(double relief = 1) {
-    test_meshes::VesselShape shape;
-    shape.rings = 200;
-    shape.columns = 120;
-    shape.relief = relief;
-    return test_meshes::thrown_vessel(shape);
+TriangleMesh small_vessel(double relief = 1) {
+    return test_meshes::thrown_vessel({200, 120, relief});
 }
 
 SheetOptions vessel_options() {
@@ -125,6 +121,7 @@ TEST(HalfSection, DrawsTheWallOnTheLeftAndTheOutsideOnTheRight) {
     for (std::size_t i = 1; i < profile.size(); ++i)
         expected += (profile[i - 1].x() * profile[i].y() - profile[i - 1].y() * profile[i].x()) / 2;
     EXPECT_NEAR(area, std::abs(expected), 0.02 * std::abs(expected));
+    ASSERT_FALSE(layer_of(vessel, "outline").paths.empty());
     for (const SheetPath& path : layer_of(vessel, "outline").paths)
         EXPECT_GE(painter_path(path.path).boundingRect().left(), all.center().x() - 0.05);
 }
@@ -151,7 +148,7 @@ double axis_of(const SheetGroup& view) {
         if (box.width() < 0.01 && box.height() > all.height() - 0.1)
             return box.center().x() - all.left();
     }
-    return 0;
+    throw std::logic_error("there is no axis");
 }
 
 TEST(HalfSection, HasAnAxisAndLinesThroughRimAndBase) {
@@ -173,17 +170,18 @@ TEST(HalfSection, KeepsItsLinesFarFromZero) {
         return length;
     };
     const double length = length_at({0, 0, 0});
+    ASSERT_GT(length, 400) << "the wall and the outside, 200 mm high";
     EXPECT_NEAR(length_at({5e5, 0, 5e6}), length, 0.01 * length);
 }
 
 TEST(HalfSection, HasNoLineFromTheInsideToTheOutside) {
-    test_meshes::VesselShape shape;  // of which numbers of ends inside are also some outside
-    shape.rings = 100;
-    shape.columns = 260;
-    const Sheet sheet =
-        sheet_helpers::sheet_of(test_meshes::thrown_vessel(shape), vessel_options());
+    // Numbers of ends inside are also those of some outside.
+    const TriangleMesh jar = test_meshes::thrown_vessel({100, 260});
+    const Sheet sheet = sheet_helpers::sheet_of(jar, vessel_options());
     const SheetGroup& vessel = sheet.groups.at(0);
-    const double middle = sheet_helpers::extent_of(vessel).center().x();
+    const QRectF all = sheet_helpers::extent_of(vessel);
+    ASSERT_GT(all.height(), 190);
+    const double middle = all.center().x();
     for (const SheetLayer& layer : vessel.layers)
         for (const SheetPath& path : layer.paths) {
             const QRectF box = painter_path(path.path).boundingRect();

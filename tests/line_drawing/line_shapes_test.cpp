@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kReach = 0.12;
 
-/// Across the x axis by `height`, every half millimetre or so.
+/// From the x axis up to `height` and back, a point every `spacing` mm.
 DrawnLine zigzag(double height, int points, bool is_exact = false, double spacing = 0.5) {
     DrawnLine line{LineClass::Contour, false, {}};
     for (int i = 0; i < points; ++i)
@@ -262,9 +262,8 @@ TEST(Overlaps, ALineStaysBetweenThoseThatItDoubles) {
     EXPECT_LT(length_of(rest[2].points), 8 * kDoubleReach);
 }
 
-/// A short step between two edges that end on different lines joins these. Also an edge that has
-/// passed the line it met, and two that have passed each other, as where a hub's rims are cut into
-/// triangles at different places.
+/// One that has passed the line it met is cut back to it, and two that have passed each other end
+/// in one place, as where a hub's rims are cut into triangles at different places.
 TEST(Overlaps, EdgesDoNotGoPastTheirCorners) {
     std::vector<DrawnLine> lines = {line(LineClass::Contour, {{0, 0}, {0, 10.05}}),
                                     line(LineClass::Contour, {{-9, 10}, {0, 10}})};
@@ -289,9 +288,9 @@ TEST(Overlaps, ShortLinesBesideAnotherAreLeftOut) {
     };
     EXPECT_EQ(rest_of(bump(5.6, near)), 0u);
     EXPECT_EQ(rest_of(bump(5.6, far)), 1u);
-    EXPECT_EQ(rest_of(bump(8, near)), 1u);                                             // long
-    EXPECT_EQ(rest_of(line(LineClass::Contour, {{20.12, 0.05}, {20.25, 0.05}})), 1u);  // goes on
-    // from where another line ends
+    EXPECT_EQ(rest_of(bump(8, near)), 1u);  // long
+    // Goes on from where the outline ends.
+    EXPECT_EQ(rest_of(line(LineClass::Contour, {{20.12, 0.05}, {20.25, 0.05}})), 1u);
     EXPECT_EQ(rest_of(line(LineClass::Contour, {{5, near}, {5.5, 0.1}})), 1u);
 }
 

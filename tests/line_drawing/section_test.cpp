@@ -89,8 +89,8 @@ TEST(Sections, OfOpenSurfacesAreOpen) {
 TEST(Sections, AreRead) {
     const std::vector<Section> sections = parse_sections("y=0.5, Z=.25");
     ASSERT_EQ(sections.size(), 2u);
-    EXPECT_EQ(sections[0].axis, 1);
-    EXPECT_EQ(sections[1].share, 0.25);
+    EXPECT_EQ(std::pair(sections[0].axis, sections[0].share), std::pair(1, 0.5));
+    EXPECT_EQ(std::pair(sections[1].axis, sections[1].share), std::pair(2, 0.25));
     EXPECT_TRUE(parse_sections("").empty());
     for (const char* words : {"y", "0.5", "w=0.5", "y=0", "y=1", "y=nan", "y=0.5=1"})
         EXPECT_THROW(parse_sections(words), laplacian_lines::Error) << words;

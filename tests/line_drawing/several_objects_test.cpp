@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "laplacian_lines/error.h"
 #include "line_drawing/sheet_file.h"
 #include "sheet_helpers.h"
 #include "with_threads.h"
@@ -119,10 +118,11 @@ TEST(SeveralObjects, ThatOverlapHaveOneWallInSections) {
     EXPECT_EQ(hatching_of(merged).second, 0);
     // Scans of fitting parts overlap slightly.
     const SheetGroup fitted = sheet_of_all({cube, moved(cube, {99.5, 0, 0})}, options).groups[0];
+    EXPECT_GT(hatching_of(fitted).first, 80);
     EXPECT_NEAR(hatching_of(fitted).first, hatching_of(fitted).second, 3);
 }
 
-/// Also hidden parts, and without a hole.
+/// Also of hidden parts: the cube leaves no hole in that of the frame.
 TEST(SeveralObjects, EachHasItsOwnAreaIfWanted) {
     SheetOptions options = plain_views("top");
     options.area = OutlineArea::Objects;

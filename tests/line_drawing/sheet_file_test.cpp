@@ -115,6 +115,8 @@ TEST(Lettering, HasOtherSignsForLettersThatItLacks) {
     EXPECT_EQ(outlines_of("\xe6\x97\xa5"), outlines_of("\xe2\x96\xa1"));  // a box
     EXPECT_EQ(outlines_of("⌀"), outlines_of("Ø"));
     EXPECT_EQ(outlines_of("\xff"), outlines_of("?"));
+    for (const char* sign : {"\xe2\x96\xa1", "Ø", "?"})
+        EXPECT_FALSE(outlines_of(sign).isEmpty()) << sign;
     EXPECT_TRUE(outlines_of(" ").isEmpty());
 }
 

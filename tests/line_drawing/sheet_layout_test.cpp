@@ -68,7 +68,7 @@ TEST(SheetLayout, TurnsTheArrangementInThirdAngle) {
 
 /// Thirty sections in one row would not fit at any scale.
 TEST(SheetLayout, ManyViewsStandInRows) {
-    places_of(fitting("six 30,15 60,15 90,40 0,10 45,45"));
+    EXPECT_EQ(places_of(fitting("six 30,15 60,15 90,40 0,10 45,45")).size(), 11u);
     for (const char* views : {"front", "front,top"}) {
         SheetOptions options = fitting(views);
         options.sections.resize(30);
@@ -147,7 +147,7 @@ TEST(SheetAnnotations, LongTitlesAreWhole) {
     EXPECT_TRUE(ends_with(title_of(), "…"));
 }
 
-/// 100 mm wide, mean edges of about 1.3 mm.
+/// About 100 mm wide, mean edges of about 1 mm.
 laplacian_lines::TriangleMesh bumpy_sphere() {
     return test_meshes::moved(test_meshes::bumpy_sphere(6).mesh, {0, 0, 0}, 50);
 }
@@ -207,7 +207,9 @@ TEST(PrintedSize, DecidesAboutPens) {
     EXPECT_EQ(thickest(draw(mesh, options_at(0.35))), 0.35);
     EXPECT_EQ(thickest(draw(mesh, options_at(0.2))), 0.25);
     EXPECT_EQ(thickest(draw(mesh, options_at(0.01))), 0.25);
-    for (const SheetLayer& layer : draw(mesh, options_at(0.1)).groups[0].layers)
+    const Sheet small = draw(mesh, options_at(0.1));
+    EXPECT_EQ(thickest(small), 0.25);
+    for (const SheetLayer& layer : small.groups[0].layers)
         for (const SheetPath& path : layer.paths)
             EXPECT_GE(path.pen_width, 0.1);
 }

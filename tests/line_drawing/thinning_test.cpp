@@ -243,7 +243,7 @@ TEST(Chaining, GoesAroundCorners) {
     EXPECT_NEAR(length_of(chained[0].points), 18, 0.1);
 }
 
-/// Of 4 mm and 115°, to the left of or right of the x axis, from or towards its middle.
+/// Of 4 mm and 115°: from (x, 0) along the x axis, or against it, then to the given side of it.
 DrawnLine arc(double x, double side, bool is_towards) {
     DrawnLine line{LineClass::Inner, false, {}};
     for (double angle = 0; angle <= 2; angle += 0.05) {

@@ -139,6 +139,7 @@ TEST(ViewPainter, GivesUpAtOnceAndGoesOnLater) {
     const Objects objects = {{mesh}, {beside}};
     ViewPainter painter(objects);
     const PaintedView whole = painted(painter, window, options);
+    ASSERT_FALSE(ink_of(image_of(whole)).isEmpty());
     for (const double end : {0.0, 0.2, 0.5, 0.6, 0.8}) {
         ViewPainter other(objects);
         const auto until = [=](double done, const char*) { return done < end; };

@@ -18,7 +18,7 @@ using laplacian_lines::ViewLinePoint;
 
 namespace {
 
-/// Of the radii .85 to 1.15.
+/// Of the radii .9 to 1.1.
 TriangleMesh bumps() {
     return test_meshes::bumpy_sphere(6, 0.15).mesh;
 }

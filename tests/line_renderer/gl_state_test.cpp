@@ -10,22 +10,21 @@ namespace {
 
 using line_renderer::HiddenLines;
 
-GLuint bound_buffer(GLenum target) {
+void bind_new_buffer(GLenum target) {
     GLuint buffer = 0;
     glGenBuffers(1, &buffer);
     glBindBuffer(target, buffer);
-    return buffer;
 }
 
 /// To what neither drawing nor defaults use.
 void make_state_unusual() {
-    bound_buffer(GL_ELEMENT_ARRAY_BUFFER);
+    bind_new_buffer(GL_ELEMENT_ARRAY_BUFFER);
     glEnableVertexAttribArray(1);
     glEnableVertexAttribArray(9);
-    bound_buffer(GL_ARRAY_BUFFER);
+    bind_new_buffer(GL_ARRAY_BUFFER);
     glVertexPointer(2, GL_SHORT, 12, nullptr);
     glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, 24, nullptr);
-    bound_buffer(GL_ARRAY_BUFFER);
+    bind_new_buffer(GL_ARRAY_BUFFER);
     for (GLenum array : {GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY})
         glEnableClientState(array);
     for (GLenum feature : {GL_CULL_FACE, GL_LIGHTING, GL_POLYGON_OFFSET_FILL, GL_ALPHA_TEST})

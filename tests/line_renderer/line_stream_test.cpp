@@ -11,10 +11,8 @@
 
 namespace {
 
-using Eigen::Vector3f;
 using laplacian_lines::LinePoint;
 using laplacian_lines::LineSet;
-using line_renderer::kNeighbourOnly;
 using line_renderer::LinePlacement;
 using line_renderer::StreamPoint;
 using line_renderer::StreamSettings;

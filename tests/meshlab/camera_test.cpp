@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The light that turns with the camera: angles, and its direction in mesh coordinates.
+// The light that turns with the camera: its direction in mesh coordinates.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

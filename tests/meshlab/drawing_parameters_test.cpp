@@ -3,7 +3,6 @@
 
 #include <QCoreApplication>
 #include <QDir>
-#include <QStringList>
 
 #include "drawing_parameters.h"
 #include "laplacian_lines/error.h"
