@@ -39,6 +39,7 @@ TEST(LineMixtures, AreNamedByKeyOrLabel) {
     for (const LineMixture& mixture : kLineMixtures) {
         EXPECT_EQ(mixture_named(mixture.key), &mixture);
         EXPECT_EQ(mixture_named(mixture.label), &mixture);
+        EXPECT_TRUE(kinds_named(mixture.label) == mixture.kinds) << mixture.label;
     }
     EXPECT_EQ(mixture_named("apparent ridges"), mixture_named("APPARENT_RIDGES"));
     EXPECT_EQ(mixture_named("valleys"), nullptr);

@@ -43,6 +43,7 @@ const LineMixture* mixture_named(const std::string& name) {
 }
 
 std::optional<LineKindSet> kinds_named(const std::string& names) {
+    if (const auto kinds = kinds_of(names)) return kinds;  // a label may have a comma
     std::string text = names;
     std::replace(text.begin(), text.end(), '+', ',');
     if (text.empty() || text.back() == ',') return std::nullopt;

@@ -23,7 +23,7 @@ float mean_mass(const PreparedMesh& mesh) {
     return std::max(float(sum / double(mesh.size())), std::numeric_limits<float>::min());
 }
 
-/// One leaf, whose points are the targets.
+/// The sums at the vertices of one leaf.
 class LeafSum {
 public:
     LeafSum(const PreparedMesh& mesh, const std::vector<Eigen::Vector3d>& normals,
@@ -34,10 +34,10 @@ public:
           unit_mass_(unit_mass),
           leaf_(leaf),
           centre_(leaf.box.center()) {
-        mean_normal_.setZero();
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
         for (std::uint32_t v = leaf.begin; v < leaf.end; ++v)
-            mean_normal_ += normals[v];
-        mean_normal_ /= double(leaf.end - leaf.begin);
+            sum += normals[v];
+        mean_normal_ = (sum / double(leaf.end - leaf.begin)).cast<float>();
         quick_ = kernel.quick && leaf.box.diagonal().norm() <= 2 * kQuickRadius * kernel.size;
     }
 
@@ -51,7 +51,7 @@ public:
     std::size_t collect(const LeafSources<GaussianSource>& all,
                         std::vector<GaussianSource>& sources) const {
         const std::size_t count = all.collect(leaf_, kernel_.cutoff * kernel_.size, sources);
-        const Eigen::Vector3f mean = mean_normal_.cast<float>();
+        const Eigen::Vector3f& mean = mean_normal_;
         for (std::size_t i = 0; i < count; ++i) {
             GaussianSource& s = sources[i];
             s.nx -= mean.x(), s.ny -= mean.y(), s.nz -= mean.z();
@@ -66,11 +66,11 @@ private:
         for (std::uint32_t lane = 0; lane < kTargets; ++lane) {
             const std::uint32_t v = std::min(begin + lane, leaf_.end - 1);
             const Eigen::Vector3f p = (mesh_.positions[v] - centre_).cast<float>();
-            const Eigen::Vector3f n = (normals_[v] - mean_normal_).cast<float>();
+            const Eigen::Vector3f n = (normals_[v] - mean_normal_.cast<double>()).cast<float>();
             for (const int axis : {0, 1, 2})
                 t.position[axis][lane] = p[axis], t.normal[axis][lane] = n[axis];
         }
-        Eigen::Map<Eigen::Vector3f>(t.mean_normal) = mean_normal_.cast<float>();
+        Eigen::Map<Eigen::Vector3f>(t.mean_normal) = mean_normal_;
         t.squared_cutoff = float(std::pow(kernel_.cutoff * kernel_.size, 2));
         t.exponent = float(-kLog2E / (4 * kernel_.size * kernel_.size));
         t.log2_cutoff = float(-kLog2E * kernel_.cutoff * kernel_.cutoff / 4);
@@ -95,7 +95,8 @@ private:
     const float unit_mass_;
     const SpatialTree::Leaf& leaf_;
     const GaussianLoops& loops_ = fastest<GaussianLoops>();
-    Eigen::Vector3d centre_, mean_normal_;
+    Eigen::Vector3d centre_;
+    Eigen::Vector3f mean_normal_;  // a float, so that sources and targets subtract the same
     bool quick_;
 };
 
