@@ -103,18 +103,12 @@ static inline void sum(const TensorTargets& targets, const TensorSource* sources
     store(&sums.numbers[Sums::kYEntries], lane, ys_sum, t.u, t.v);
 }
 
-static inline void sum_all(const TensorTargets& targets, const TensorSource* sources,
-                           std::size_t count, TensorSums& sums) {
-    for (std::size_t lane = 0; lane < kTensorLanes; lane += kLanes)
-        sum(targets, sources, count, lane, sums);
-}
-
 }  // namespace SIMD_SET
 
 template <>
 const TensorLoops& functions_of<TensorLoops, InstructionSet::SIMD_SET>() {
     using namespace SIMD_SET;
-    static constexpr TensorLoops functions = {sum_all};
+    static constexpr TensorLoops functions = {at_all_lanes<sum, kTensorLanes>};
     return functions;
 }
 

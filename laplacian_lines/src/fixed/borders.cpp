@@ -8,6 +8,7 @@
 #include "fixed/line_copies.h"
 #include "fixed/piece_graph.h"
 #include "fixed/surface_walk.h"
+#include "mesh/sides_by_edge.h"
 #include "rules/thresholds.h"
 #include "system/parallel.h"
 
@@ -17,15 +18,16 @@ namespace {
 // Least length of connected borders, in shortest lines: those of pinholes are not drawn.
 constexpr float kPinhole = 3;
 
+using Sides = std::vector<std::uint32_t>;
+
 /// Whether some of the triangles at these sides of an edge meet at an angle; copies do not. Planes
 /// that are all within 40 degrees of the first differ by the range of their angles to it.
-template <class Sides>
-bool are_bent(const Surface& surface, Sides first, Sides last) {
-    const Eigen::Vector3f normal = surface.facet(*first / 3).normal,
-                          along = unit(surface.span(*first));
+bool are_bent(const Surface& surface, const Sides& sides) {
+    const Eigen::Vector3f normal = surface.facet(sides[0] / 3).normal,
+                          along = unit(surface.span(sides[0]));
     float least = 0, most = 0;
-    for (; first != last; ++first) {
-        const Eigen::Vector3f& other = surface.facet(*first / 3).normal;
+    for (const std::uint32_t side : sides) {
+        const Eigen::Vector3f& other = surface.facet(side / 3).normal;
         const float sine = dot(normal.cross(other), along), cosine = dot(normal, other);
         const float turn = arc_tangent(cosine < 0 ? -sine : sine, std::abs(cosine)) * kDegrees;
         least = std::min(least, turn);
@@ -35,23 +37,21 @@ bool are_bent(const Surface& surface, Sides first, Sides last) {
 }
 
 /// A side of each border, in the order of edges.
-std::vector<std::uint32_t> border_sides(const Surface& surface) {
+Sides border_sides(const Surface& surface, std::size_t vertices) {
     // by the table, where a triangle without an area is a neighbour, too
-    auto open = numbers_where(surface.sides().side_count(), [&](std::uint32_t side) {
+    const Sides open = numbers_where(surface.sides().side_count(), [&](std::uint32_t side) {
         return !surface.sides().has_neighbour(side);
     });
-    const auto edge = [&](std::uint32_t side) {
-        return edge_between(surface.begin(side), surface.end(side));
+    const auto edge = [&](std::uint32_t i) {
+        return edge_between(surface.begin(open[i]), surface.end(open[i]));
     };
-    std::stable_sort(open.begin(), open.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return edge(a) < edge(b); });
-    std::vector<std::uint32_t> found;
-    for (auto first = open.begin(), last = first; first != open.end(); first = last) {
-        last =
-            std::find_if(first, open.end(), [&](auto side) { return edge(side) != edge(*first); });
-        if (last - first == 1 || are_bent(surface, first, last)) found.push_back(*first);
-    }
-    return found;
+    const auto add = [&](const std::uint32_t* begin, const std::uint32_t* end, Sides& found) {
+        Sides sides;
+        for (; begin != end; ++begin)
+            sides.push_back(open[*begin]);
+        if (sides.size() == 1 || are_bent(surface, sides)) found.push_back(sides[0]);
+    };
+    return concatenate(visit_edges<Sides>(open.size(), vertices, edge, add));
 }
 
 struct FoundBorders {
@@ -70,7 +70,7 @@ FoundBorders find_borders(const ExtractorData& data, FixedLines& all) {
         if (is_new) vertices.push_back(vertex);
         return number;
     };
-    for (const std::uint32_t side : border_sides(*surface)) {
+    for (const std::uint32_t side : border_sides(*surface, data.vertex_count)) {
         const std::uint32_t begin = node(surface->begin(side));
         graph.add(begin, node(surface->end(side)));
     }

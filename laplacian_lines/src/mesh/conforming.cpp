@@ -319,7 +319,7 @@ bool is_closed(const std::vector<Triangle>& triangles) {
 }
 
 bool are_two_sided(const std::vector<Triangle>& triangles) {
-    const auto hash = [&](std::size_t t) {
+    const auto of_triangle = [&](std::size_t t) {
         const auto [a, b, c] = triangles[t];
         const bool faces_back = (a > b) ^ (a > c) ^ (b > c);
         Triangle sorted = triangles[t];
@@ -327,7 +327,7 @@ bool are_two_sided(const std::vector<Triangle>& triangles) {
         const std::uint64_t hash = mix_hash(sorted[2], std::uint64_t(sorted[0]) << 32 | sorted[1]);
         return faces_back ? -hash : hash;
     };
-    return sum_of<std::uint64_t>(triangles.size(), hash) == 0;
+    return sum_of<std::uint64_t>(triangles.size(), of_triangle) == 0;
 }
 
 std::vector<Edge> border_edges(const std::vector<Triangle>& triangles, std::size_t vertices) {

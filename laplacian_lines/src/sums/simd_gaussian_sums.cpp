@@ -146,19 +146,13 @@ static inline void sum_quickly(const GaussianTargets& t, const GaussianSource* s
     store(sums, scale, lane, result);
 }
 
-template <auto Sum>
-static void sum_all(const GaussianTargets& t, const GaussianSource* sources, std::size_t count,
-                    GaussianLaneSums& sums) {
-    for (std::size_t lane = 0; lane < kTargets; lane += kLanes)
-        Sum(t, sources, count, lane, sums);
-}
-
 }  // namespace SIMD_SET
 
 template <>
 const GaussianLoops& functions_of<GaussianLoops, InstructionSet::SIMD_SET>() {
     using namespace SIMD_SET;
-    static constexpr GaussianLoops functions = {sum_all<sum>, sum_all<sum_quickly>};
+    static constexpr GaussianLoops functions = {at_all_lanes<sum, kTargets>,
+                                                at_all_lanes<sum_quickly, kTargets>};
     return functions;
 }
 

@@ -103,6 +103,14 @@ static inline void store_vectors(const SpaceVectors<Floats>& v, float (&to)[3][C
     store(to[2] + lane, v.z);
 }
 
+/// Sums over sources at all targets, of which there are `Count`, a vector of them at a time.
+template <auto Sum, std::size_t Count, class Targets, class Source, class Sums>
+static void at_all_lanes(const Targets& targets, const Source* sources, std::size_t count,
+                         Sums& sums) {
+    for (std::size_t lane = 0; lane < Count; lane += kLanes)
+        Sum(targets, sources, count, lane, sums);
+}
+
 // ---- rows of four numbers ----
 
 typedef float Float4 __attribute__((vector_size(16)));
