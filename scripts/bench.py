@@ -24,7 +24,7 @@ MEDIANS = ["--benchmark_repetitions=5", "--benchmark_enable_random_interleaving"
 
 
 def truth(options):
-    packages.ensure_packages(*packages.CORE, "qtbase5-dev")
+    packages.ensure_packages(*packages.CORE)
     build_targets("drawing_truth", preset="benchmarks")
     folder = CHECKOUT / "programs/benchmarks/truth/parts"
     parts = [folder / f"{name}.part" for name in options.names] or sorted(folder.glob("*.part"))

@@ -17,7 +17,7 @@ REGEX run; without one all but "wheel", which takes minutes. A MeshLab of anothe
 in a root: the release of Debian that packages it, kept in {cache_folder()}/roots, made as root by debootstrap.
 """
 FLAGS = {
-    "--versions": "in other MeshLabs than the one installed here, only what may differ between versions",
+    "--versions": "only what may differ between MeshLab's versions; of --host all, in those not installed here",
     "--required": "a host that cannot be set up, or another program that a test misses, is a failure",
     "--checks": "static analysis, the core under sanitizers, its coverage, some fuzzing; after the tests",
     "--nightly": "everything: all tests in all hosts, long checks, large meshes, --sanitized, --threads, --reach",

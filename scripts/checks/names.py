@@ -12,17 +12,16 @@ SNAKE, CAMEL, CONSTANT = r"~?[a-z][a-z0-9]*(_[a-z0-9]+)*_*", r"[A-Z][A-Za-z0-9]*
 OTHERS = r"[A-Z]|__\w+|squaredNorm|GoodObjIndex|LLVMFuzzerTestOneInput|[A-Z][A-Z_]+(_P)?|operator.*"
 RULES = {
     "function": f"{SNAKE}|{OTHERS}", "prototype": f"{SNAKE}|{OTHERS}", "slot": SNAKE, "local": f"{SNAKE}|{CONSTANT}|_",
-    "parameter": f"{SNAKE}|{CONSTANT}|{CAMEL}", "member": f"{SNAKE}|{CONSTANT}", "variable": f"{SNAKE}|{CONSTANT}",
+    "parameter": f"{SNAKE}|{CONSTANT}|{CAMEL}", "member": f"{SNAKE}|{CONSTANT}", "private": rf"\w+_|{CONSTANT}", "variable": f"{SNAKE}|{CONSTANT}",
     "constant": f"{CONSTANT}|operator.*", "class": CAMEL, "struct": CAMEL, "enum": CAMEL, "typedef": CAMEL, "enumerator": f"{CAMEL}|{CONSTANT}"}
 
 
 def wrong_names(files):
     """FILE:LINE: NAME of each that follows another convention."""
-    tags = map(json.loads, output("ctags", "--kinds-C++=+pxlz", "--fields=+KsSn", "--langmap=C++:.cpp.h", "--output-format=json",
+    tags = map(json.loads, output("ctags", "--kinds-C++=+pxlz", "--fields=+KsSna", "--langmap=C++:.cpp.h", "--output-format=json",
                                   "-f", "-", *files).splitlines())
     tags = [tag for tag in tags if tag["_type"] == "tag" and not tag["name"].startswith("__anon") and "&" not in tag["name"]]
-    lines = {file: file.read_text().split("\n") for file in files}
-    lines = {str(file): text for file, text in lines.items()}
+    lines = {str(file): file.read_text().split("\n") for file in files}
 
     def statement(tag):
         """From the line of the name to the end of what is declared."""
@@ -33,5 +32,7 @@ def wrong_names(files):
         name, kind, owner = tag["name"], tag["kind"], tag.get("scope", "").split("::")[-1]
         if kind == "variable" and re.match(r"\s*(static |inline )*(constexpr|const) (?!.*\*\s)", lines[tag["path"]][tag["line"] - 1]):
             kind = "constant"
+        if kind == "member" and tag.get("access") == "private":
+            kind = "private"
         if kind in RULES and name not in overrides and name.lstrip("~") != owner and not re.fullmatch(RULES[kind], name):
             yield f"{tag['path']}:{tag['line']}: {name}"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# add_module_library(NAME [SOURCES...]): a static library of these sources, or of all in src/, for the plugins.
+# add_module_library(NAME [SOURCES...]): a static library of these sources, or of all in src/, with hidden symbols.
 function(add_module_library name)
   set(sources ${ARGN})
   if(NOT sources)

@@ -21,7 +21,8 @@ def ensure_toolchain(*extra_packages):
 
 
 def ctest(build, label, regexes=(), processes=1):
-    """The command that runs the tests of a label, "" for all but those that take minutes, whose names match a regex."""
+    """The command that runs tests: with a label that `label` is in, "" for any, and a name that matches a regex; without
+    either, all but those that take minutes."""
     labels = ["--label-regex", label] if label else [] if regexes else ["--label-exclude", "^reach$"]
     names = ["--tests-regex", "|".join(regexes)] if regexes else []
     return ["ctest", "--test-dir", build, "--no-tests=error", "--output-on-failure", "--parallel", str(processes), *labels, *names]

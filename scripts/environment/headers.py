@@ -32,7 +32,7 @@ def debian_mirror():
 
 def private_apt(folder, suite=None, kind="deb-src"):
     """Sets up an apt with lists and cache in the folder, for the machine's source packages or another release of Debian.
-    Returns whether it has lists. The user's own are left alone."""
+    Returns whether its mirror is known. The user's own are left alone."""
     sources = [(debian_mirror(), suite, "main")] if suite else apt_sources()
     options = f"[signed-by={KEYRING}] " if os.access(KEYRING, os.R_OK) and debian_mirror() else ""
     (folder / "sources.list").write_text("".join(f"{kind} {options}{' '.join(map(str, row))}\n" for row in sources))

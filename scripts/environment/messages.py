@@ -93,7 +93,7 @@ def quietly(log, command, **options):
 
 
 def output(*command, **options):
-    """What a command prints, without the last newline; None if it fails or is not there."""
+    """What a command prints, without newlines at its end; None if it fails or is not there."""
     try:
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, **options)
     except OSError:

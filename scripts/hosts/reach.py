@@ -19,7 +19,7 @@ GUI_TESTS = r"meshlab\.(stage|driver|install|gui_.*)$"
 
 
 def build():
-    """Tests the plugins of the .zip, stripped; the driver is built here, too."""
+    """The plugins of the .zip, which are stripped, in the place of those built, and the driver, for tests."""
     packages.ensure_packages(*packages.BUILD, *packages.DISPLAY, *packages.TEST)
     portable.package_portable()
     portable.build_portable("-DLAPLACIAN_LINES_BUILD_TESTS=ON")
@@ -41,7 +41,7 @@ def check_packages():
     packages.ensure_packages("lintian")
     made = list((CHECKOUT / "build").glob("**/Testing/meshlab/package/packages/*.deb"))
     if run(["lintian", "--allow-root", "--fail-on", "error", *made]) != 0 or len(made) < len(SUITES):
-        raise Failure(f"lintian finds errors in {made}")
+        raise Failure(f"lintian finds errors, or it has not a package of each MeshLab: {made}")
 
 
 def run_stages(stage):

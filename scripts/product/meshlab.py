@@ -29,7 +29,7 @@ def loadable_mesh(name, folder):
     mesh = prepare_mesh(name, folder)
     if not needs_other_name(str(mesh)):
         return mesh
-    link = folder / f"mesh.{str(mesh).rsplit('.', 1)[-1]}"
+    link = folder / f"mesh{mesh.suffix}"
     link.symlink_to(mesh)
     return link
 

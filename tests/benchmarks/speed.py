@@ -12,8 +12,8 @@ CHECKOUT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(CHECKOUT / "scripts"))
 from product.models import bumpy_torus
 
-EXPECTED = {"field", "derivatives", "extractor", "view_on_paper", "redraw/default", "redraw/default_all_threads",
-            "redraw/laplacian_lines", "redraw/contours", "redraw/ridges", "redraw/all_kinds", "redraw/plain_contours"}
+EXPECTED = {"field", "derivatives", "extractor", "view_on_paper", "view_at_rest", "redraw/default",
+            "redraw/default_all_threads", "redraw/laplacian_lines", "redraw/contours", "redraw/ridges", "redraw/all_kinds", "redraw/plain_contours"}
 
 with tempfile.TemporaryDirectory() as folder:
     torus, report = pathlib.Path(folder, "torus.ply"), pathlib.Path(folder, "report.json")

@@ -24,8 +24,7 @@ def run(*command, **options):
 def compile_alone(header):
     """As a program sees it that includes nothing before."""
     run(CXX, "-std=c++17", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-I", prefix / "include", "-isystem", EIGEN,
-        "-x", "c++", "-",
-        input=f"#include <laplacian_lines/{header.name}>\n")
+        "-x", "c++", "-", input=f"#include <laplacian_lines/{header.name}>\n")
 
 
 def check_files():

@@ -62,7 +62,7 @@ for sentence, words in (
         ("cannot be written", "/proc/plate.svg cube.off")):
     refused(sentence, *words.split(" "))
 
-# a value may empty_view behind an equals sign
+# a value may stand behind an equals sign
 draw("apart.svg", "--views", "top", "--title", "a=b", "cube.off")
 draw("joined.svg", "--views=top", "--title=a=b", "cube.off")
 expect(filecmp.cmp("apart.svg", "joined.svg", shallow=False), "--views=top is not --views top")
@@ -192,7 +192,7 @@ for file, *words in (f"{odd}/{odd}.svg",), (f"{odd}/", "--format", "svg"):
     expect_said(text_of(f"{odd}/{odd}.svg"), "caf\ufffd \ufffd\ufffd ü.off", ">caf\ufffd \ufffd\ufffd ü<")
 expect_said(text_of(f"{odd}/contact_sheet.svg"), ">caf\ufffd \ufffd\ufffd ü<")
 
-# --- pens of .5 mm empty_view out by half their width
+# --- pens of .5 mm stand out by half their width
 
 DPI = "600"
 

@@ -49,8 +49,7 @@ for name in ("scan.ply", "find.ply", "part.ply", "scans/first.ply", "scans/secon
     pathlib.Path(name).parent.mkdir(exist_ok=True)
     small_torus(name)
 for number in range(3):
-    ply(f"fragment_{number + 1}.ply", [f"{number + .9 * (i & 1)} {i >> 1 & 1} {i >> 2}" for i in range(8)],
-        ["4 0 2 3 1", "4 4 5 7 6", "4 0 1 5 4", "4 2 6 7 3", "4 0 4 6 2", "4 1 3 7 5"])
+    box(f"fragment_{number + 1}.ply", (number, 0, 0), (.9, 1, 1))
 jar("vessel.ply")
 pathlib.Path("docs").symlink_to(CHECKOUT / "docs")
 run_count = 0

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the tests in MeshLab share. A test imports all of it, and then is in an empty folder of its own, which is kept
 afterwards for a look, with a display and a home folder. The first thing that is not as expected ends it and shows the
-log. Functions that "print" commands of the driver return them."""
+log."""
 
 import atexit
 import contextlib
@@ -29,8 +29,7 @@ BUILD = pathlib.Path(os.environ["LAPLACIAN_LINES_BUILD"])
 STAGE = BUILD / "stage"
 TEST = os.path.realpath(sys.argv[0])
 WORK = BUILD / "Testing/meshlab" / pathlib.Path(TEST).stem
-SECONDS = float(os.environ.get("DRIVE_SECONDS",
-                               200))  # a hung MeshLab, before ctest's own limit, so that its log is shown
+SECONDS = float(os.environ.get("DRIVE_SECONDS", 200))  # a hung MeshLab, before ctest's own limit, so that its log is shown
 
 
 def expect(condition, message):
@@ -243,7 +242,7 @@ def expect_other_picture(a, b, least=100):
 
 
 def write_mesh(file, rings, sides):
-    pathlib.Path(file).write_text(bumpy_torus(int(rings), int(sides)))
+    pathlib.Path(file).write_text(bumpy_torus(rings, sides))
 
 
 def small_torus(file="torus.ply"):
@@ -260,6 +259,12 @@ def ply(file, vertices, faces=()):
     header = ["ply", "format ascii 1.0", f"element vertex {len(vertices)}", *(f"property float {c}" for c in "xyz"),
               f"element face {len(faces)}", "property list uchar int vertex_indices", "end_header"]
     pathlib.Path(file).write_text("\n".join([*header, *vertices, *faces]) + "\n")
+
+
+def box(file, corner, size):
+    """From this corner on, of quadrangles."""
+    ply(file, [" ".join(f"{a + s * (i >> axis & 1)}" for axis, (a, s) in enumerate(zip(corner, size))) for i in range(8)],
+        ["4 0 2 3 1", "4 4 5 7 6", "4 0 1 5 4", "4 2 6 7 3", "4 0 4 6 2", "4 1 3 7 5"])
 
 
 begin_test()

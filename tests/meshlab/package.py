@@ -2,12 +2,10 @@
 """The packages: MeshLab shows filters and decoration after the .deb is installed, in a copy of the system, and with the
 files of the .zip; the command draws, an older .deb is upgraded, and purging it leaves nothing."""
 import gzip
-import shutil
 import tempfile
 import zipfile
 
 from harness import *
-from environment.messages import skip
 from product.extra_plugins import has_extra_plugins, install_plugins
 from product.package import make_packages, packages_in
 from product.stage import built_plugins, installed_meshlab, stage_meshlab
@@ -108,8 +106,7 @@ def check_contents(deb, archive):
                                            "share/man/man1/laplacian-lines.1.gz")}
     names |= {f".{DOCUMENTS}/{name}" for name in ("changelog.gz", "copyright")}
     expect({words[5] for words in contents if words[0][0] != "d"} == names, f"the .deb holds {contents}")
-    folders = {f"{place}/" for name in names for place in pathlib.PurePath(f"/{name}").parents[:-1]}
-    folders = {f".{place}" for place in folders}
+    folders = {f".{place}/" for name in names for place in pathlib.PurePath(f"/{name}").parents[:-1]}
     expect({words[5] for words in contents if words[0][0] == "d"} - {"./"} == folders,
            f"the .deb has the folders of {contents}")
     with zipfile.ZipFile(archive) as there:

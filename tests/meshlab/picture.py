@@ -73,8 +73,7 @@ take("none.png", ["points.ply"], code=1, said=["no picture was written"])
 
 # without perspective, a box, far from the origin, shows the two sizes that the view and the axis that is up leave, as
 # large as they fit into 360 pixels: a twentieth of the shorter side is left free
-ply("box.ply", [f"{50 + 4 * (i & 1)} {20 + 3 * (i >> 1 & 1)} {2 * (i >> 2)}" for i in range(8)],
-    ["4 0 2 3 1", "4 4 5 7 6", "4 0 1 5 4", "4 2 6 7 3", "4 0 4 6 2", "4 1 3 7 5"])
+box("box.ply", (50, 20, 0), (4, 3, 2))
 for options, faces in (("", {"front": (360, 270), "180,0": (360, 270), "left": (240, 360), "top": (360, 180), "90,90": (180, 360)}),
                        ("--up z --zoom 0.5", {"front": (180, 90), "top": (180, 135)})):
     take("faces.png", ["box.ply"], "--size", "400x400", "--orthographic", *options.split(),

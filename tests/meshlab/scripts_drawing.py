@@ -4,7 +4,8 @@ their making, and errors."""
 from harness import *
 
 EXAMPLE, PROGRAM = "laplacian_lines_drawing.mlx", BUILD / "bin/laplacian-lines"
-VERSION = output(PROGRAM, "--version").split()[1] if PROGRAM.exists() else ""
+# what is built for PyMeshLab's tests has no program: nothing is compared there
+VERSION = output(PROGRAM, "--version").split()[1] if PROGRAM.exists() or "MESH_SERVER" not in os.environ else ""
 
 
 def without_provenance(file):
@@ -24,9 +25,7 @@ def draw(file, *options, meshes=("torus.ply",), compare=True, **settings):
     pathlib.Path(file).unlink(missing_ok=True)
     code = serve("-i", *meshes, "-s", "script.mlx")
     expect(code == 0 and is_file(file), f"the script with {settings} ended with {code}")
-    if compare and not PROGRAM.exists():
-        say(f"not compared: there is no {PROGRAM}")
-    elif compare:
+    if compare and VERSION:
         output(PROGRAM, f"program_{file}", *options, *meshes)
         expect(f'laplacian_lines":"{VERSION}"'.encode() in pathlib.Path(file).read_bytes(),
                f"{file} does not tell the version")

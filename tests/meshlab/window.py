@@ -54,9 +54,7 @@ expect(said_by(settings_commands, BUILD, ["Detail=70", "Detail=abc"]) == 1, "abc
 expect_text("log", '^laplacian-lines: "Detail" is abc. It has to be between 0 and 100.$')
 
 # what is higher along z stands, and its parameters are in sight; no surface is nothing to turn
-corners = [f"{x} {y} {z}" for z in (0, 4) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
-ply("tall.ply", corners, ["3 0 2 1", "3 0 3 2", "3 4 5 6", "3 4 6 7", "3 0 1 5", "3 0 5 4", "3 1 2 6", "3 1 6 5", "3 2 3 7",
-                          "3 2 7 6", "3 3 0 4", "3 3 4 7"])
+box("tall.ply", (0, 0, 0), (1, 1, 4))
 for axis, is_upright in ((None, True), ("z", True), ("y", False)):
     expect_window(0, ["tall.ply"], "expect-open-parameters", "setdeco Surface = Paper", "check Show Trackball off",
                   "check Show Info Panel off", f"grab {WORK}/tall.png", "leave", up=axis)

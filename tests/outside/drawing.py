@@ -123,7 +123,7 @@ def outline(drawing, mesh, view):
 
 def edges_in_sight(mesh, view):
     """Places along edges: those surely in sight, where none of five in a row is hidden, of edges that are always drawn, from
-    40 degrees on; and those that may be, where not all five are."""
+    40 degrees on and one to spare; and those that may be, where not all five are, and the two last ones at each end."""
     sure, maybe = [np.empty((0, 3))], [np.empty((0, 3))]
     bent = mesh.face_adjacency_angles > np.radians(1)
     ends, bends = mesh.vertices[mesh.face_adjacency_edges[bent]], mesh.face_adjacency_angles[bent]

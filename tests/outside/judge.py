@@ -25,7 +25,7 @@ from drawing import (OUTLINE_PEN, Drawing, angles, distance_to, drawn, edges, fr
 from parts import BOX, BOX_FACES, changed, cone, folded_needle, polyhedra, round_parts, rounded_box, turned, two_boxes, with_middles
 
 FULL_PEN = 42  # mm: drawings that are smaller have finer pens
-MODELS = pathlib.Path(__file__).resolve().parents[3] / "shared" / "models"
+MODELS = pathlib.Path(__file__).resolve().parents[3] / "shared" / "models"  # beside the checkout, if at all
 # Of decimated scans: views, and by the number of triangles the least shares of the scan's ink that is kept, and of the
 # ink that is the scan's.
 SCANS = {"igea.ply": ("front", {100000: (0.93, 0.91), 50000: (0.91, 0.895), 20000: (0.765, 0.85)}),

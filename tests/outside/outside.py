@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """outside.py PROGRAM [WORDS...]: runs judge.py with a Python that has the programs of others that it judges with. It
-is skipped where they cannot be had, or is a failure if LAPLACIAN_LINES_REQUIRED is true."""
+is skipped where they cannot be had, or is a failure if LAPLACIAN_LINES_REQUIRED is set."""
 
 import os
 import pathlib

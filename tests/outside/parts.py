@@ -79,7 +79,7 @@ def turned(mesh, seed):
 
 
 def changed(mesh, scale, turns=False):
-    """Scaled by three factors, and the faces turned about."""
+    """Scaled by a factor, or three; `turns`: with the faces turned about."""
     return trimesh.Trimesh(mesh.vertices * scale, mesh.faces[:, ::-1] if turns else mesh.faces, process=False)
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A file that scripts write is there whole, or what was there before. What is kept in the cache and in the user's
-folders; the links of a stage; sheets of pictures; packages' files."""
+folders; the links of a stage; sheets of pictures."""
 import resource
 from unittest import mock
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Meshes of other packages are taken as they are, where these packages are installed."""
 
+import importlib.util
 import unittest
 
 import laplacian_lines as ll
@@ -9,10 +10,9 @@ from shapes import REFERENCE, torus
 
 
 def package(name):
-    try:
-        return __import__(name)
-    except ImportError:
-        raise unittest.SkipTest(f"{name} is not here") from None
+    if importlib.util.find_spec(name) is None:
+        raise unittest.SkipTest(f"{name} is not here")
+    return importlib.import_module(name)
 
 
 class OtherPackages(unittest.TestCase):
