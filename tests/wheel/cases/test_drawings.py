@@ -28,11 +28,11 @@ class Drawings(unittest.TestCase):
         drawing = ll.make_drawing(sphere(radius=2, steps=5), unit="cm", scale="1:2", paper="fit", annotations=False,
                                   strokes="plain")
         self.assertEqual(drawing.scale, 0.5)  # 4 cm, half as large
-        self.assertEqual(drawing.paper, (110, 20 + 2 * 10 + 16))  # as wide as the strip below has to be, with margins
+        self.assertEqual(drawing.paper, (20 + 2 * 10, 20 + 2 * 10 + 16))  # with margins, and room for a note
         root = xml.etree.ElementTree.fromstring(drawing.content)
-        self.assertEqual([root.get(side) for side in ("width", "height")], ["110mm", "56mm"])
+        self.assertEqual([root.get(side) for side in ("width", "height")], ["40mm", "56mm"])
         [data] = re.findall(r'id="front-outline".*? d="M([-\d.]+)[ -]', drawing._repr_svg_(), re.S)
-        self.assertTrue(45 - 0.1 < float(data) < 65 + 0.1, data)
+        self.assertTrue(10 - 0.1 < float(data) < 30 + 0.1, data)
 
     def test_of_several_meshes_hide_each_other(self):
         vertices, faces = sphere(steps=4)
