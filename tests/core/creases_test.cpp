@@ -460,6 +460,22 @@ TEST(Creases, AreLeftOutOnTheHorizon) {
         }
 }
 
+/// A closed surface with one side, here the tetrahemihexahedron, has no inside that hides them.
+TEST(Creases, AreNotHiddenBySurfacesWithOneSide) {
+    TriangleMesh mesh;
+    for (const int axis : {0, 1, 2})
+        for (const double sign : {1, -1})
+            mesh.positions.push_back(sign * Eigen::Vector3d::Unit(axis));
+    mesh.triangles = {{0, 2, 4}, {0, 3, 5}, {1, 2, 5}, {1, 3, 4}, {0, 2, 1},
+                      {0, 1, 3}, {4, 1, 5}, {4, 5, 0}, {2, 4, 3}, {2, 3, 5}};
+    LineStyle style = creases_alone();
+    style.shows[LineKind::Contour] = true;
+    std::size_t shown = 0;
+    for (const Polyline& line : creases_of(mesh, style, View::orthographic({1, 0.9, 0.8})).lines)
+        shown += line.kind == LineKind::Crease && line.slope >= 0;
+    EXPECT_EQ(shown, 3u);
+}
+
 /// Of a closed line, what is left are whole arcs.
 TEST(Creases, AreCutWhereTheHorizonBegins) {
     const std::uint32_t sides = 48;

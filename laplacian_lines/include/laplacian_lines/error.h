@@ -9,10 +9,10 @@ namespace laplacian_lines {
 /// Why a call of the core was refused. The arguments are unchanged.
 enum class ErrorCode {
     InvalidOption,  ///< an option is outside its documented range
-    InvalidMesh,    ///< a triangle names a vertex that does not exist, or D is beyond 1e±15
+    InvalidMesh,    ///< a triangle's vertex or a vertex's normal is missing, or D is beyond 1e±15
     EmptyMesh,      ///< no triangle of positive area with finite corners is left
     FieldMismatch,  ///< a field and a mesh do not have the same vertices
-    TooCostly,      ///< with these options, the mesh would take minutes
+    TooCostly,      ///< with these options, the mesh would take too long
     Cancelled,      ///< the progress callback asked to stop
 };
 

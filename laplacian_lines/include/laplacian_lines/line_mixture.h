@@ -64,7 +64,7 @@ inline constexpr std::array kLineMixtures = {
     LineMixture{"all_kinds", "All Kinds, in Colors", all_kinds(), kinds_with_key_color()},
 };
 
-/// By key or label; case does not matter, nor blanks for underscores. Null if there is none.
+/// By key or label, whatever the case, blanks and underscores. Null if there is none.
 const LineMixture* mixture_named(const std::string& name);
 
 /// The kinds in a list of mixtures and kinds, by key or label as above, with + or commas between
@@ -72,7 +72,7 @@ const LineMixture* mixture_named(const std::string& name);
 /// known. Thread-safe.
 std::optional<LineKindSet> kinds_named(const std::string& names);
 
-/// All that kinds_named() knows, separated by commas.
+/// All keys that kinds_named() knows, separated by commas.
 std::string names_of_kinds();
 
 }  // namespace laplacian_lines

@@ -13,9 +13,9 @@ namespace laplacian_lines {
 struct LinePoint {
     Eigen::Vector3f position;  ///< mesh coordinates, less the set's origin
     float weight;              ///< 0..1, share of the full line width
-    /// ‖∇I‖·D; of contours for the light at the eye, 0 at vertices whose edges they follow; of
-    /// apparent ridges q1·D; of ridges, valleys, creases and demarcating curves the angle by which
-    /// the surface turns, degrees; of borders 0.
+    /// ‖∇I‖·D; of contours and suggestive ones for the light at the eye, 0 where contours follow
+    /// edges; of apparent ridges q1·D; of ridges, valleys, creases and demarcating curves the angle
+    /// by which the surface turns, degrees; of borders 0.
     float gradient;
     float opacity;  ///< 0..1; lines that are about to vanish are nearly transparent
 };
@@ -27,9 +27,9 @@ struct Polyline {
     std::uint32_t count = 0;
     LineKind kind = LineKind::Laplacian;
     bool closed = false;
-    float strength = 0;  ///< Eq. 4, dimensionless; of Laplacian lines and contours
+    float strength = 0;  ///< Eq. 4, dimensionless; 0 of lines that do not depend on the view
     float length = 0;    ///< in D
-    float slope = 0;     ///< mean slope along the line, dimensionless, of Laplacian lines; -1 of
+    float slope = 0;     ///< mean, dimensionless; 0 where strength is, and of contours; -1 of
                          ///< creases that face away
 };
 

@@ -45,15 +45,15 @@ struct LineStyle {
     /// threshold to full opacity at (1 + fading) times it. 0: no fading.
     double fading = 1;
     double end_length = 0.01;  ///< length over which open ends of lines fade, in D
-    /// Laplacian lines nearer to a contour than this, in D in the picture, only double it: they
-    /// fade out, to nothing at half the distance. Only if contours are drawn and the light is at
-    /// the eye.
+    /// Lines but creases and borders nearer to a contour than this, in D in the picture, only
+    /// double it: they fade out, to nothing at half the distance, ridges and valleys at four times
+    /// these. Only if contours are drawn; Laplacian and photic lines if the light is at the eye.
     double contour_clearance = 0.001;
     LineKindSet shows = LineKindSet::defaults();  ///< which kinds are drawn
     /// Draw contours along mesh edges, between triangles that face the eye and those that do not,
     /// on meshes of triangles so large or so steep that zeros of n·v would miss the horizon.
     bool exact_outlines = true;
-    double shortest_contour = 0.005;  ///< least length of a contour, in D; if visible, of a border
+    double shortest_contour = 0.005;  ///< least length of a contour, in D
     /// Least angle, degrees, by which the surface turns across a ridge or valley within 2 % of D to
     /// both sides, or four times that within 1 %; turning as fast beyond, or on one side only,
     /// counts against it. Weaker parts go on down to half.
@@ -66,7 +66,7 @@ struct LineStyle {
     /// times h_e.
     double demarcation = 4;
     /// Least (x h_e)^1.5 at a suggestive contour, x the derivative of the radial curvature towards
-    /// the eye over n·v; twice that at a highlight.
+    /// the eye over n·v/|v|; twice that at a highlight.
     double suggestive_slope = 0.005;
     /// Least q1·D of an apparent ridge, q1 the largest curvature as it is seen on the screen.
     double apparent_curvature = 15;

@@ -54,7 +54,7 @@ struct VisibilityOptions {
     /// Join lines that meet in the picture, even across a jump in depth, so that outlines are
     /// closed. Otherwise only lines of one kind that meet in space.
     bool in_picture = false;
-    /// As LineStyle::shortest_contour, D: of contours and borders that meet no others.
+    /// As LineStyle::shortest_contour, D: the least extent of connected contours and borders.
     double shortest_contour = 0;
 };
 

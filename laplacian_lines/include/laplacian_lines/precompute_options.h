@@ -29,7 +29,7 @@ struct PrecomputeOptions {
     double kernel_size = 0;
     /// For drawings at a given size: if > 0, √h in mesh units instead of kernel_size, but at least
     /// least_drawn_edges times ē, 0.6 ē or 2 % of D, as above, and at most 4 % of D or that. An
-    /// automatic normal_sigma is then a quarter of √h or more, but 0 on CAD meshes.
+    /// automatic normal_sigma is then a quarter of √h or more, but 0 on such CAD meshes.
     double drawn_kernel_size = 0;
     double least_drawn_edges = kLeastKernelEdges;  ///< > 0, with drawn_kernel_size alone
     LaplaceOperator laplace_operator = LaplaceOperator::Belkin;

@@ -13,7 +13,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 /// An indexed triangle mesh: any topology, scale and offset; triangles counter-clockwise seen from
 /// outside, or turned that way, see MeshReport. Vertices that are not finite or not used, and
-/// triangles without area or with such corners, are dropped and counted there.
+/// triangles without area or with corners that are not finite, are dropped and counted there.
 struct TriangleMesh {
     std::vector<Eigen::Vector3d> positions;  ///< [V], in the mesh's own length unit
     std::vector<Triangle> triangles;         ///< [T], indices into positions

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The mesh as a redraw reads it, see cluster_data.h:
 //  1. It is cut into clusters of neighbours, and what is across their borders is noted.
-//  2. Before and after, it is judged as a whole: sheet or body, contours along edges or not, what
-//     is convex and what has no feature of its own.
+//  2. It is judged as a whole: sheet or body, contours along edges or not, what is convex and what
+//     has no feature of its own.
 //  3. Each cluster gets a place in one block of memory.
 //  4. Clusters are written, several at once: triangles, vertices, the linear form n·v, and bounds
 //     of the normals, by which a redraw skips what faces away. The forms of ΔI follow in
@@ -44,8 +44,9 @@ public:
         data_.border_edge_count = links_.number_count;
         data_.vertex_count = std::uint32_t(mesh_.size());
         judge_borders(sides);
-        if (follows_edges(mesh_, data_.is_cad, field_))  // is_cad of judge_faces()
-            data_.horizon = find_edge_horizon(mesh_, sides, data_.is_body);  // of judge_borders()
+        // judge_faces() has found is_cad, judge_borders() is_body
+        if (follows_edges(mesh_, data_.is_cad, field_))
+            data_.horizon = find_edge_horizon(mesh_, sides, data_.is_body);
         find_convex();
         stage.report(kLinked);
         data_.memory_of_clusters = large_array<ExtractorData::Unit>(lay_out());
@@ -99,7 +100,7 @@ private:
             const double volume = sum_of(triangles.size(), [&](std::size_t t) {  // six times
                 return mesh_.positions[triangles[t][0]].dot(area_vector(mesh_, triangles[t]));
             });
-            data_.is_body = volume > 0;
+            data_.is_body = volume > 0 && field_.report.opposed_share == 0;  // or it has no inside
         }
     }
 

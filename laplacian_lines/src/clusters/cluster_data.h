@@ -7,14 +7,14 @@
 #include "system/cache.h"
 
 /// What a redraw reads: the mesh cut into clusters of neighbouring triangles, each in one piece of
-/// memory. Plain data and functions without linkage only, since files that are compiled for
-/// several instruction sets include this.
+/// memory. Plain data and static functions only, since files that are compiled for several
+/// instruction sets include this.
 namespace laplacian_lines {
 
 constexpr unsigned kClusterVertices = 128;   ///< at most; a set of signs is 128 bits
 constexpr unsigned kClusterTriangles = 192;  ///< at most
-/// Triangles of a cluster and its edges shared with other clusters have a common numbering: edge e
-/// has the number triangle_count + e. At most this many numbers.
+/// Triangles of a cluster and its sides to others, see ClusterTriangle, have a common numbering:
+/// side e has the number triangle_count + e. At most this many numbers.
 constexpr unsigned kClusterNumbers = 255;
 constexpr std::uint8_t kNoNeighbour = 255;
 
@@ -45,7 +45,7 @@ struct alignas(kCacheUnit) CurvatureRecord {
 static_assert(sizeof(CurvatureRecord) == kCacheUnit, "a curvature record is one cache unit");
 
 /// Corners in cyclic order; neighbour k is across the edge from corner k to the next: the number of
-/// a triangle of the cluster with the same orientation, or of an edge to others, or
+/// a triangle of the cluster with the same orientation, else of a side to another one, or
 /// kNoNeighbour where lines end (borders, edges of more than two triangles).
 struct ClusterTriangle {
     std::uint8_t corners[3];

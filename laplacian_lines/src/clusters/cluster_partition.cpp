@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Clusters of neighbouring triangles: the mesh is halved at the median of its longest axis until a
+// Clusters of neighbouring triangles: the mesh is cut near the median of its longest axis until a
 // part has few enough triangles, vertices and edges to the outside; several threads take the parts
 // after the first halvings. Then edges between clusters get numbers, at which a redraw joins lines.
 #include "clusters/cluster_partition.h"
@@ -153,7 +153,8 @@ private:
         return true;
     }
 
-    /// How many numbers a cluster takes at most: borders are counted, although they have none.
+    /// How many numbers a cluster takes at most: borders are counted, although they have none. A
+    /// disc has 2 · vertices − 2 with them, which is never too many.
     unsigned count_numbers(const Range& range) const {
         unsigned numbers = range.size();
         for (std::uint32_t i = range.begin; i < range.end; ++i)

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "field/field_steps.h"
 #include "system/large_array.h"
 #include "system/parallel.h"
 
 namespace laplacian_lines {
 namespace {
+
+constexpr double kLargestRoughness = 0.5;  // that of noise of .074 mean edges
 
 // The zero of n·v is where a corner's normal n is perpendicular to the ray v. The triangle's own
 // plane leans from n by some angle, so such a triangle is seen at most at that angle, and its size

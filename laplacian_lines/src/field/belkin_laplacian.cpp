@@ -29,10 +29,8 @@ double tail(double u) {
 /// RMS of √h‖S‖: by how much the normal turns within √h.
 double normal_turn(double kernel_size, const ShapeOperators& shape_operators) {
     const std::size_t count = shape_operators.size();
-    return kernel_size *
-           std::sqrt(
-               sum_of(count, [&](std::size_t i) { return shape_operators[i].squaredNorm(); }) /
-               double(count));
+    const auto squares = [&](std::size_t i) { return shape_operators[i].squaredNorm(); };
+    return kernel_size * std::sqrt(sum_of(count, squares) / double(count));
 }
 
 /// Radius, in √h, beyond which the part `accuracy` of the kernel's second moment lies.

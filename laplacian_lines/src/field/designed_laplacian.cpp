@@ -55,11 +55,8 @@ struct PointCloud {
 /// With a larger spacing if there are too many points.
 PointCloud point_cloud(const PreparedMesh& mesh, const CornerNormals& corners,
                        const std::vector<CornerNormals::AtVertex>& vertices, double spacing) {
-    PointCloud cloud{mesh.positions,
-                     {},
-                     std::vector<double>(mesh.size()),
-                     spacing,
-                     mesh.size() + mesh.triangles.size() + kMostPoints};
+    const std::size_t most = mesh.size() + mesh.triangles.size() + kMostPoints;
+    PointCloud cloud{mesh.positions, {}, std::vector<double>(mesh.size()), spacing, most};
     for (const CornerNormals::AtVertex& vertex : vertices)
         cloud.normals.push_back(vertex.normal);
     for (std::uint32_t t = 0; t < mesh.triangles.size() && !cloud.is_full(); ++t) {

@@ -23,7 +23,7 @@ namespace laplacian_lines {
 std::vector<Eigen::Vector3d> vertex_normals(const PreparedMesh& mesh, const VertexRanges& ranges,
                                             const StageProgress& stage);
 
-/// The automatic √h of all but CAD meshes. Lengths in any unit; the result has the same one.
+/// The automatic √h, but of an Origin::Design. Lengths in any unit; the result has the same one.
 double automatic_kernel_size(double mean_edge, double diagonal);
 
 /// √h in local units: the option, or the automatic size.
@@ -35,9 +35,6 @@ double kernel_size_of(const PreparedMesh& mesh, const PrecomputeOptions& options
 double vertex_noise(const PreparedMesh& mesh, const VertexRanges& ranges,
                     const std::vector<Eigen::Vector3d>& normals, const StageProgress& stage);
 
-// Of meshes whose contours may follow edges: that of noise of a twelfth of the edges.
-constexpr double kLargestRoughness = 0.5;
-
 /// MeshReport::roughness, from unsmoothed vertex normals: the larger of noise (vertex_noise()) and
 /// of terraces, in units of what automatic_normal_sigma() smooths; of CAD meshes that of terraces
 /// if triangles are even and faces those of voxels, else 0.
@@ -48,8 +45,8 @@ double measure_roughness(const PreparedMesh& mesh, const VertexRanges& ranges,
 /// The smoothing that this roughness asks for, in mean edges.
 double automatic_normal_sigma(double roughness);
 
-/// Replaces unit normals by the mean of those around them, weighted by facing_weight(n_q·n_p) and a
-/// Gaussian of the standard deviation `sigma`, local units.
+/// Replaces unit normals by the mean of those around them, weighted by mass, facing_weight(n_q·n_p)
+/// and a Gaussian of the standard deviation `sigma`, local units.
 void smooth_normals(const PreparedMesh& mesh, const SpatialTree& tree, double sigma,
                     const StageProgress& stage, std::vector<Eigen::Vector3d>& normals);
 
@@ -65,7 +62,7 @@ ShapeOperators fit_triangles(const PreparedMesh& mesh, const VertexRanges& range
 /// Least squares over the vertices within `radius` (the paper's Eq. 3), but solved in the tangent
 /// plane, because the 3x3 system's normal component takes up second-order terms (100 % error), and
 /// for S instead of ∇I, which is linear in the eye. Keeps the given ones where the ball holds too
-/// few vertices, or about on one line.
+/// few vertices, or about on one line. `same_side`: without vertices that face away from it.
 ShapeOperators fit_balls(const PreparedMesh& mesh, const SpatialTree& tree,
                          const std::vector<Eigen::Vector3d>& normals, double radius, bool same_side,
                          ShapeOperators operators, const StageProgress& stage);
@@ -77,10 +74,9 @@ void smooth_over_one_rings(const PreparedMesh& mesh, const VertexRanges& ranges,
                            const std::vector<Eigen::Vector3d>& normals, int passes,
                            const StageProgress& stage, ShapeOperators& operators);
 
-/// Δn, [N], local units, by L f(p) = 1/(4πh²) Σ_q m_q exp(−|q−p|²/4h) (f(q) − f(p)): M. Belkin, J.
-/// Sun, Y. Wang, "Discrete Laplace Operator on Meshed Surfaces", SoCG 2008; Eq. 2 of Laplacian
-/// Lines, its sum over triangles and corners written as one over vertices. "Skip Opposite Sheet"
-/// multiplies the terms by facing_weight(n_q·n_p).
+/// Δn, [N], local units, by Eq. 2 of Laplacian Lines, its sum over triangles and corners written as
+/// one over vertices: M. Belkin, J. Sun, Y. Wang, "Discrete Laplace Operator on Meshed Surfaces",
+/// SoCG 2008. "Skip Opposite Sheet" multiplies the terms by facing_weight(n_q·n_p).
 std::vector<Eigen::Vector3d> belkin_laplacian(const PreparedMesh& mesh, const SpatialTree& tree,
                                               const std::vector<Eigen::Vector3d>& normals,
                                               double kernel_size,
@@ -118,11 +114,10 @@ inline float to_float(double x) {
     return std::isfinite(x) ? float(std::clamp(x, -largest, largest)) : 0.f;
 }
 
-/// Fills Field::smooth_curvatures and curvature_derivatives from the rest of the field alone. C is
-/// the slope of the linear function, in the tangent plane, that best fits S of the vertices within
-/// 3.4 √h, weighted by mass, nearness and facing_weight(): this cancels errors of triangle shapes
-/// and noise. With too few vertices: the mean of differences within triangles. S̄ is the value at
-/// the vertex of such a fit within 1.4 √h, or S with too few vertices. Borders do not bias it.
+/// Fills Field::smooth_curvatures and curvature_derivatives from the rest of the field alone: value
+/// and slope of the linear function, in the tangent plane, that best fits S of the vertices around
+/// (TensorFits). Errors of triangle shapes and noise cancel, and borders do not bias it. With too
+/// few vertices S̄ is S, and C the mean of differences within triangles.
 void fill_curvature_derivatives(const PreparedMesh& mesh, const SpatialTree& tree,
                                 const StageProgress& stage, Field& field);
 

@@ -3,8 +3,9 @@
 //  1. Subdivisions at the middles of edges are undone. Others follow for scans alone.
 //  2. Vertices have the normals of precompute(), across cuts.
 //  3. The middle of an edge is put on the cubic curve that leaves both ends normal to their
-//     normals; its normal is that of the quadratic between them which curved surfaces have.
-//  4. Each triangle is cut in four at these middles, until edges are short or two cuts are made.
+//     normals; its normal is their sum, mirrored at the plane half way between the ends.
+//  4. Each triangle is cut in four at these middles, until edges are short, two cuts are made or
+//     the next would make too many.
 #include "laplacian_lines/refinement.h"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ constexpr int kMostCuts = 2;
 // Forms of so few triangles are polyhedra by design; so many, once cut, take too long.
 constexpr std::size_t kLeastTriangles = 1000, kMostTriangles = 1000000;
 // Sine of the angle between an edge and the tangent plane at an end, from which the edge stays
-// straight there: at the corners of a box it is .58 and .71.
+// straight there: at the corners and edges of a box it is .58 and more.
 constexpr double kSharp = 0.5;
 constexpr double kLongEdge = 3;  // mean edges; between such ends the surface is a guess
 

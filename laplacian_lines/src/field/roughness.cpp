@@ -59,8 +59,8 @@ double ramp(double x, double none, double all) {
     return std::clamp((x - none) / (all - none), 0., 1.);
 }
 
-/// Angles, in radians, between a vertex's normal and the mean under the narrowest Gaussian, and
-/// from each mean to the next.
+/// Angles, as chords, between a vertex's normal and the mean under the narrowest Gaussian, and from
+/// each mean to the next.
 using Turns = std::array<double, 3>;
 
 Turns turns_at(const PreparedMesh& mesh, const SpatialTree& tree,

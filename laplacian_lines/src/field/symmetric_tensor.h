@@ -8,13 +8,10 @@ namespace laplacian_lines {
 struct SymmetricTensor {
     double xx = 0, yy = 0, zz = 0, yz = 0, xz = 0, xy = 0;
 
+    /// The symmetric part.
     static SymmetricTensor of(const Eigen::Matrix3d& a) {
-        return {a(0, 0),
-                a(1, 1),
-                a(2, 2),
-                (a(1, 2) + a(2, 1)) / 2,
-                (a(0, 2) + a(2, 0)) / 2,
-                (a(0, 1) + a(1, 0)) / 2};
+        const Eigen::Matrix3d s = (a + a.transpose()) / 2;
+        return {s(0, 0), s(1, 1), s(2, 2), s(1, 2), s(0, 2), s(0, 1)};
     }
 
     /// Adds a bᵀ + b aᵀ.

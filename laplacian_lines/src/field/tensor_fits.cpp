@@ -24,7 +24,7 @@ namespace {
 constexpr double kMostDerivativeReach = 16;
 constexpr double kLargestEntry = 1e15;  // of S, 1/D; sums with squares of lengths stay floats
 // Least variance of the neighbours' positions in any direction, in squared radii; it is about 1/8
-// inside and 1/20 at a border.
+// inside and 1/25 at a border.
 constexpr double kLeastVariance = 0.004;
 constexpr double kMostCost = 1e7;  // as pairs_cost() has it: about ten seconds
 

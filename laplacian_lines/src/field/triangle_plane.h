@@ -6,7 +6,7 @@
 namespace laplacian_lines {
 
 /// A triangle's plane, with the orthonormal n, t along the edge opposite corner 0, and b. Without
-/// an area they are not finite.
+/// an area n and b are not finite.
 struct TrianglePlane {
     TrianglePlane(const std::vector<Eigen::Vector3d>& p, const Triangle& v)
         : edges{p[v[2]] - p[v[1]], p[v[0]] - p[v[2]], p[v[1]] - p[v[0]]} {

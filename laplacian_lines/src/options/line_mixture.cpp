@@ -60,13 +60,12 @@ std::optional<LineKindSet> kinds_named(const std::string& names) {
 std::string names_of_kinds() {
     std::set<std::string> listed;
     std::string result = kUsual;
-    const auto list = [&](const std::string& key) {
-        if (listed.insert(key).second) result += ", " + key;
+    const auto list = [&](const auto& table) {
+        for (const auto& row : table)
+            if (listed.insert(row.key).second) result += std::string(", ") + row.key;
     };
-    for (const LineMixture& mixture : kLineMixtures)
-        list(mixture.key);
-    for (const LineKindDescription& kind : kLineKinds)
-        list(kind.key);
+    list(kLineMixtures);
+    list(kLineKinds);
     return result;
 }
 

@@ -20,8 +20,8 @@ template <class Options>
 void check_ranges(const std::vector<OptionRow<Options>>& table, const Options& options) {
     for (const auto& option : table) {
         const double value = option.get(options);
-        if (value >= option.minimum && value <= option.maximum) continue;
-        refuse_value(option, in_words(value));
+        if (!(value >= option.minimum && value <= option.maximum))
+            refuse_value(option, in_words(value));
     }
 }
 
@@ -50,7 +50,7 @@ std::string allowed_values(const OptionDescription& option) {
         case OptionKind::Length:
             break;
     }
-    if (option.maximum == kUnlimited) return "at least " + in_words(option.minimum);
+    if (option.maximum == kUnlimited) return "at least " + in_words(option.minimum) + " and finite";
     return "between " + in_words(option.minimum) + " and " + in_words(option.maximum);
 }
 
@@ -66,9 +66,9 @@ void refuse_value(const OptionDescription& option, const std::string& value,
 void validate(const PrecomputeOptions& options) {
     check_ranges(precompute_option_table(), options);
     if (!(options.drawn_kernel_size >= 0 && std::isfinite(options.drawn_kernel_size)))
-        refuse_value("drawn_kernel_size", in_words(options.drawn_kernel_size), "at least 0");
+        refuse_value("drawn_kernel_size", in_words(options.drawn_kernel_size), "finite and >= 0");
     if (!(options.least_drawn_edges > 0 && std::isfinite(options.least_drawn_edges)))
-        refuse_value("least_drawn_edges", in_words(options.least_drawn_edges), "more than 0");
+        refuse_value("least_drawn_edges", in_words(options.least_drawn_edges), "finite and > 0");
 }
 
 void validate(const LineStyle& style) {

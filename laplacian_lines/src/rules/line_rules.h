@@ -24,7 +24,7 @@ struct LineRules {
     bool leave_out_convex = false;
     /// Skip triangles without a form of their own, see find_featureless_triangles().
     bool drop_featureless = false;
-    /// Skip triangles with n·v < 0 at all corners, where contour_clearance leaves no opacity.
+    /// Skip triangles with n·v < 0 at all corners, where other rules leave nothing.
     bool leave_out_away = false;
     bool use_slope = false;  ///< false: no slopes are computed or tested, nor decide the width
     float slope_scale = 0;   ///< h_e^1.5, D³: slopes have no unit
@@ -34,14 +34,14 @@ struct LineRules {
     /// Lines thin out where the surface is concave along the view, up to this cosine between the
     /// view vector v and −∇(n·v) = −Sv. The surface before them hides contours there, but only
     /// just, so that part of a wide stroke would show. Not on surfaces seen from both sides.
-    float concave_thinning = 0;
+    float concave_thinning = kNoThinning;
     static constexpr float kNoThinning = std::numeric_limits<float>::max();
     static constexpr float kFlat = 0.1f;  ///< ‖∇I‖·D; where it is less, signs are those of noise
     float fading = 0;                     ///< full opacity at (1 + fading) times a threshold
     /// Test means along lines instead of crossings and segments, see line_parts.h.
     bool whole = false;
     float kernel_size = 0;              ///< √h, D: means are over lengths of this order
-    float least_concavity = kAnything;  ///< cosine; crossings that whole lines have anyway
+    float least_concavity = kAnything;  ///< cosine, of crossings of whole lines
     int smoothing_passes = 0;           ///< of the positions, each with the weights 1-2-1
     float end_length = 0;               ///< over which open ends fade, D
     float contour_clearance = 0;        ///< lines nearer to a contour fade out, D in the picture

@@ -98,8 +98,7 @@ LineRules laplacian_rules(const LineStyle& s, bool light_at_eye) {
 }
 
 /// X. Xie et al., "An Effective Illustrative Visualization Framework Based on Photic Extremum Lines
-/// (PELs)", 2007. Those of Laplacian lines, but for the slope: the second derivative of ‖∇I‖ along
-/// ∇I, times D·h_e^1.5.
+/// (PELs)", 2007. Those of Laplacian lines, but for the slope: −d²‖∇I‖/dg² h_e^1.5, g along ∇I.
 LineRules photic_rules(const LineStyle& s, bool light_at_eye) {
     LineRules rules = laplacian_rules(s, light_at_eye);
     set_slopes(Thresholds(s).photic_slope, kFullPhotic * float(s.photic_slope), rules);

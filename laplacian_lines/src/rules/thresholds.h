@@ -25,7 +25,7 @@ struct Thresholds {
 };
 
 /// Which zeros of a kind that is found at each redraw a style shows, without what the mesh adds.
-/// Lines of a light that is not at the eye follow no contours.
+/// Laplacian and photic lines keep clear of contours only if the light is at the eye.
 LineRules strip_rules(LineKind kind, const LineStyle& style, bool light_at_eye);
 
 /// Up to this fading, no line that is concave towards the light passes where is_convex() holds.

@@ -51,10 +51,9 @@ public:
     std::size_t collect(const LeafSources<GaussianSource>& all,
                         std::vector<GaussianSource>& sources) const {
         const std::size_t count = all.collect(leaf_, kernel_.cutoff * kernel_.size, sources);
-        const Eigen::Vector3f& mean = mean_normal_;
         for (std::size_t i = 0; i < count; ++i) {
             GaussianSource& s = sources[i];
-            s.nx -= mean.x(), s.ny -= mean.y(), s.nz -= mean.z();
+            s.nx -= mean_normal_.x(), s.ny -= mean_normal_.y(), s.nz -= mean_normal_.z();
             s.squared = s.x * s.x + s.y * s.y + s.z * s.z;
         }
         return count;

@@ -51,11 +51,9 @@ GaussianSums gaussian_sums(const PreparedMesh& mesh, const SpatialTree& tree,
 struct GridResolution;  // summation_cost.h
 
 /// As gaussian_sums() without cutoff, with the accuracy of the resolution, in a time that hardly
-/// depends on the kernel size: masses times moments of the normals are spread over a grid by cubic
-/// B-splines, convolved along x, y and z, and interpolated (R. W. Hockney and J. W. Eastwood,
-/// "Computer Simulation Using Particles", 1981; the idea is from L. Greengard and J. Strain, "The
-/// Fast Gauss Transform", 1991). Only nodes near the surface exist, and one slab of blocks is
-/// worked on after the other.
+/// depends on the kernel size (R. W. Hockney and J. W. Eastwood, "Computer Simulation Using
+/// Particles", 1981; the idea is from L. Greengard and J. Strain, "The Fast Gauss Transform",
+/// 1991). Only nodes near the surface exist, and one slab of blocks is worked on after the other.
 GaussianSums grid_sums(const PreparedMesh& mesh, const std::vector<Eigen::Vector3d>& normals,
                        const GaussianKernel& kernel, const GridResolution& resolution,
                        const StageProgress& stage);

@@ -65,11 +65,9 @@ constexpr auto kAxisBesideSquare = [] {
 }();
 
 /// In the order of kFactors.
-void cubic_monomials(const Eigen::Vector3d& n, double cubic[kCubics]) {
+std::array<double, kCubics> cubic_monomials(const Eigen::Vector3d& n) {
     const double x = n.x(), y = n.y(), z = n.z(), xx = x * x, yy = y * y, zz = z * z;
-    const double values[] = {x * xx, y * yy, z * zz, xx * y, xx * z,
-                             x * yy, yy * z, x * zz, y * zz, x * y * z};
-    std::copy_n(values, kCubics, cubic);
+    return {x * xx, y * yy, z * zz, xx * y, xx * z, x * yy, yy * z, x * zz, y * zz, x * y * z};
 }
 
 double dot(const double* a, const float* b, std::size_t count) {
@@ -83,8 +81,7 @@ double dot(const double* a, const float* b, std::size_t count) {
 
 void set_moments(double mass, const Eigen::Vector3d& normal, GridNode& node) {
     const Eigen::Vector3d mn = mass * normal;
-    double cubic[kCubics];
-    cubic_monomials(normal, cubic);
+    const std::array<double, kCubics> cubic = cubic_monomials(normal);
     float* t = node.moments;
     std::fill_n(t, 2 * kMoments, 0.f);  // two places of the first group and one of the second pad
     t[0] = float(mass), t[1] = float(mn.x()), t[2] = float(mn.y()), t[3] = float(mn.z());
@@ -105,8 +102,7 @@ ContractedMoments contract(const PointSums& sums, const Eigen::Vector3d& n, bool
     // what the moments of each group are multiplied by
     double weights[kFirstCubic + kCubics], normal_weights[kCubics];
     const double linear[4] = {0.75 * n.x(), 0.75 * n.y(), 0.75 * n.z(), 0};
-    double cubic[kCubics];
-    cubic_monomials(n, cubic);
+    const std::array<double, kCubics> cubic = cubic_monomials(n);
     weights[0] = 0.5;
     std::copy_n(linear, 3, weights + 1);
     for (std::size_t i = 0; i < kCubics; ++i) {

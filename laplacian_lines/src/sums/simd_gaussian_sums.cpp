@@ -2,8 +2,8 @@
 // Σ w, Σ w (q − p) and Σ w (n_q − n_p) over sources q, with the Gaussian weight w = m(q)
 // 2^(exponent |q − p|²) facing_weight(n_q·n_p), for a target p in each lane of a vector:
 //  - sum(): as written here.
-//  - sum_quickly(), more than twice as fast: powers of 2 less exact, and differences from p taken
-//    after the sums, Σ w q − p Σ w.
+//  - sum_quickly(), about twice as fast: powers of 2 less exact, and differences from p taken after
+//    the sums, Σ w q − p Σ w.
 #include "sums/simd_gaussian_sums.h"
 
 #include "system/simd_sets.h"
@@ -22,7 +22,7 @@ static inline Floats scaled(Floats y, Floats shifted) {
     return (Floats)((Ints)y + ((Ints)shifted << 23));
 }
 
-/// 2^x for x < 127, relative error 2e-7; tiny results become about 1e-37 instead of 0.
+/// 2^x for x < 127, relative error 2e-7; tiny results become 2^-124 instead of 0.
 static inline Floats exp2_exactly(Floats x) {
     x = at_least(x, -124);
     const Floats shifted = x + kRound;

@@ -114,7 +114,7 @@ static inline int row_begin(int axis, int row) {
 
 static void convolve(const ConvolutionInput& input, GridNode* output) {
     const int stride = input.axis == 0 ? 1 : input.axis == 1 ? 4 : 16;
-    constexpr int together = kCount < 2 ? kCount : 2;  // as many as fit registers
+    constexpr int together = 2;  // vectors of a node, as many as fit registers
     for (int row = 0; row < 16; ++row) {
         const int begin = row_begin(input.axis, row);
         for (int first = 0; first < kCount; first += together) {

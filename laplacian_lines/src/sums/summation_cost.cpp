@@ -18,12 +18,12 @@ constexpr double kQuick = 0.52;        // times that cost, with quick Gaussians
 constexpr double kPerVertex = 0.26;    // spreading and interpolating
 constexpr double kPerNode = 0.135;     // one tap, per cell of the surface's area
 constexpr std::size_t kSampledLeaves = 64;
-// At most so many blocks, and a million more: tables take 20 bytes a block.
+// At most so many blocks, and a million more: tables take about 6 bytes a block.
 constexpr double kBlocksPerVertex = 8;
 
 constexpr double kLeastTurn = 0.01;  // radians; below, on planes, Δn is about 0
 
-constexpr double kCostly = 3e7;  // half a minute
+constexpr double kCostly = 3e7;  // half a minute on one thread of that processor
 
 double grid_cost(const PreparedMesh& mesh, const GaussianKernel& kernel,
                  const GridResolution& resolution) {
@@ -45,7 +45,7 @@ GridResolution grid_resolution(double accuracy, double normal_turn) {
     // falls more slowly below: 1.4e-3 cell^4.7 / turn bounds both, which reference_test.cpp checks.
     // Cells over 1.25 √h save nothing, for spreading and interpolating cost the same.
     resolution.cell = std::min(1.25, std::pow(accuracy * turn / 1.4e-3, 1 / 4.7));
-    // The share of the second moment along an axis beyond the cutoff is a quarter of the accuracy.
+    // The share of the second moment along an axis beyond the cutoff is at most .2 accuracies.
     resolution.cutoff = 6.3 - 0.85 * std::log10(accuracy / 1e-3);
     // The terms of Δn are turn² of the summed masses, which carry a rounding error of 3e-7. Where
     // turn is about 0, no more than the default accuracy can be reached.
@@ -73,10 +73,9 @@ double pairs_cost(const SpatialTree& tree, double radius) {
 
 void refuse_costly_sum(double cost, const char* advice) {
     if (cost < kCostly) return;
-    throw Error(ErrorCode::TooCostly,
-                std::string("The mesh has too many vertices near each other to be finished within "
-                            "minutes. ") +
-                    advice);
+    refuse("The mesh has too many vertices near each other to be finished within minutes. " +
+               std::string(advice),
+           ErrorCode::TooCostly);
 }
 
 }  // namespace laplacian_lines

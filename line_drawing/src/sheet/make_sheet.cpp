@@ -28,8 +28,10 @@ namespace {
 using laplacian_lines::part;
 using laplacian_lines::Progress;
 
-constexpr double kCheckPixel = 0.25;       // mm on the sheet
-constexpr double kLargestDetail = 0.0401;  // of the diagonal: of coarser meshes no √h is noted
+constexpr double kCheckPixel = 0.25;  // mm on the sheet
+// Of the diagonal: the largest √h of drawings, see PrecomputeOptions::drawn_kernel_size, and a
+// rounding. Meshes with longer edges have no detail so fine: no √h is noted.
+constexpr double kLargestDetail = 0.0401;
 // Progress at which lines are found, and visibility is prepared.
 constexpr double kLinesShare = 0.4, kSightShare = 0.55;
 constexpr std::size_t kMostTrianglesAtOnce = 2000000;  // for views in parallel
