@@ -2,16 +2,18 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "laplacian_lines/line_set.h"
+#include "laplacian_lines/view.h"
 #include "line_renderer/line_renderer.h"
 
 namespace line_renderer {
+
+using laplacian_lines::mean_scale;
 
 /// Half widths at full weight by kind, pixels.
 using LineRadii = std::array<float, laplacian_lines::kLineKindCount>;
@@ -68,11 +70,6 @@ struct StreamPart {
 /// than before.
 void write_stream(const laplacian_lines::LineSet& lines, const StreamSettings& settings,
                   StreamPoint* stream, std::vector<StreamPart>& parts);
-
-/// From mesh to eye lengths, averaged over directions.
-inline double mean_scale(const Eigen::Matrix4d& to_eye) {
-    return std::cbrt(std::abs(to_eye.topLeftCorner<3, 3>().determinant()));
-}
 
 LineRadii line_radii(const LineAppearance& appearance, double pixel_scale);
 

@@ -61,10 +61,6 @@ std::optional<Similarity> similarity_of(const Eigen::Matrix4d& transform) {
     return Similarity{rotation, factor};
 }
 
-double mean_scale(const Eigen::Matrix4d& transform) {
-    return std::cbrt(std::abs(transform.topLeftCorner<3, 3>().determinant()));
-}
-
 void refuse_transform() {
     laplacian_lines::refuse(
         "The layer's transformation cannot be inverted. Reset it, or freeze it.");

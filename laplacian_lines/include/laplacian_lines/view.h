@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/LU>
+#include <cmath>
 #include <optional>
 
 namespace laplacian_lines {
@@ -20,5 +21,10 @@ struct View {
     /// A camera infinitely far away; `towards_viewer` may have any length.
     static View orthographic(const Eigen::Vector3d& towards_viewer) { return {towards_viewer, 0}; }
 };
+
+/// By how much lengths grow: the cube root of the factor of volumes.
+inline double mean_scale(const Eigen::Matrix4d& transform) {
+    return std::cbrt(std::abs(transform.topLeftCorner<3, 3>().determinant()));
+}
 
 }  // namespace laplacian_lines

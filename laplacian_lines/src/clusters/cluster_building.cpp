@@ -96,11 +96,13 @@ private:
                 return area_vector(mesh_, triangles[t]).norm() / 2;
             });
             data_.is_sheet = borders > kLeastSheetBorders * std::sqrt(area);
-        } else if (2 * sides.edge_count() == sides.side_count()) {  // two triangles an edge
+        } else if (2 * sides.edge_count() == sides.side_count() &&
+                   field_.report.opposed_share == 0) {
+            // two triangles an edge, of one orientation; else there is no inside
             const double volume = sum_of(triangles.size(), [&](std::size_t t) {  // six times
                 return mesh_.positions[triangles[t][0]].dot(area_vector(mesh_, triangles[t]));
             });
-            data_.is_body = volume > 0 && field_.report.opposed_share == 0;  // or it has no inside
+            data_.is_body = volume > 0;
         }
     }
 

@@ -49,12 +49,6 @@ private:
     std::vector<std::uint32_t> number_, used_;
 };
 
-/// Whether the triangles of two sides at an edge have one orientation: then a redraw goes on from
-/// one to the other within a cluster. Else lines are joined at the edge's number.
-bool have_one_orientation(const PreparedMesh& mesh, std::uint32_t side, std::uint32_t across) {
-    return begin_of(mesh.triangles, side) != begin_of(mesh.triangles, across);
-}
-
 class Partitioner {
 public:
     Partitioner(const PreparedMesh& mesh, const CornerTable& sides, Partition& result)
@@ -162,7 +156,7 @@ private:
                 const std::uint32_t across = sides_.across(side);
                 if (across == CornerTable::kMany) continue;
                 numbers += across == CornerTable::kBorder || !is_in(range, across / 3) ||
-                           !have_one_orientation(mesh_, side, across);
+                           !have_one_orientation(mesh_.triangles, side, across);
             }
         return numbers;
     }
@@ -200,8 +194,8 @@ ClusterLinks link_clusters(const PreparedMesh& mesh, const CornerTable& sides,
             const std::uint32_t across = sides.across(side),
                                 triangle = partition.places[across / 3];
             if (triangle >= range.begin && triangle < range.end &&
-                have_one_orientation(mesh, side, across))
-                links.across[place] = triangle;
+                have_one_orientation(mesh.triangles, side, across))
+                links.across[place] = triangle;  // a redraw goes on there; else at the number
             else if (const std::uint32_t other = 3 * triangle + across % 3; place < other)
                 links.across[place] = links.across[other] =
                     ClusterLinks::kNumber + links.number_count++;

@@ -54,7 +54,7 @@ EdgeHorizon find_edge_horizon(const PreparedMesh& mesh, const CornerTable& sides
         const std::uint32_t across = sides.across(side), from = begin_of(mesh.triangles, side);
         if (!sides.has_neighbour(side) || across < side) continue;
         const std::uint32_t a = side / 3, b = across / 3;
-        const bool is_reversed = from == begin_of(mesh.triangles, across);
+        const bool is_reversed = !have_one_orientation(mesh.triangles, side, across);
         const bool hides =
             is_body && !is_reversed && is_hollow(mesh, mesh.triangles[a], mesh.triangles[b]);
         horizon.edges.push_back({{from, end_of(mesh.triangles, side)}, {a, b}, is_reversed, hides});

@@ -41,7 +41,8 @@ struct ExtractorData {
     bool is_cad = false;                               ///< FlatFaces::is_cad_mesh()
     bool is_rough = false;  ///< edges of the mesh are those of noise or voxels, not of the form
     bool is_sheet = false;  ///< its borders are so long that it is seen from both sides
-    /// Closed, two triangles an edge, facing outwards: it hides what faces away.
+    /// Closed, two triangles of one orientation an edge (unlike a Klein bottle), facing outwards:
+    /// it hides what faces away.
     bool is_body = false;
     EdgeHorizon horizon;  ///< empty where contours are zeros of n·v
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // When an edge of the mesh is a crease, test by test. The angle of an edge is that between the
 // normals of its two triangles.
-//  1. The angle is at least 3 degrees on a CAD mesh, 20 on a scan. Rough meshes have no creases:
-//     their edges are those of noise or of voxels.
+//  1. The angle is at least 3 degrees on a CAD mesh, 20 on a scan.
 //  2. On a scan, the mean normals of both sides differ by about that angle: is_edge_of_form().
 //  3. From 40 degrees on the edge is then certain. Others
 //  4. are not just a diagonal of a bent quad: is_mere_diagonal(),
@@ -25,10 +24,9 @@ using Eigen::Vector3f;
 using Verdict = CreaseEdge::Verdict;
 
 // Modelled faces that are meant to be one meet at angles up to this.
-constexpr float kLeastCreaseAngle = 3;  // degrees
-constexpr float kLeastShownAngle = 20;  // degrees, the least LineStyle::crease_angle
-// On scans a smaller angle may be noise.
-constexpr float kLeastMeasuredAngle = 20;  // degrees
+constexpr float kLeastCreaseAngle = 3;     // degrees
+constexpr float kLeastShownAngle = 20;     // degrees, the least LineStyle::crease_angle
+constexpr float kLeastMeasuredAngle = 20;  // degrees, of scans: a smaller one may be noise
 // Unexplained shares of the edge's angle: 0 at a facet of a curved face, 1 between flat faces. An
 // edge that continues a strong one may be weak.
 constexpr float kStrong = 0.5f, kWeak = 0.25f;

@@ -12,9 +12,9 @@ namespace laplacian_lines {
 /// An edge of the mesh that may be drawn as part of a crease. Local coordinates.
 struct CreaseEdge {
     static constexpr std::uint32_t kNone = 0xffffffffu;
-    /// Noise: never shown. Facet: shown only by styles with an angle as small. Weak, strong: turns
-    /// more than explained, or at least twice as much. Unclear: strong, but one side is neither
-    /// flat nor evenly curved. Certain: whatever is around.
+    /// Noise: never shown. Facet: shown only by styles with an angle as small. Weak, strong: more
+    /// than a quarter, or half, of the angle is unexplained. Unclear: strong, but a side is neither
+    /// flat nor evenly curved. Certain: of at least kEdgeAngle.
     enum class Verdict : std::uint8_t { Noise, Facet, Unclear, Weak, Strong, Certain };
 
     std::uint32_t side;  ///< of Surface
@@ -57,9 +57,9 @@ constexpr float kFlat = 0.1f;
 bool is_edge_of_form(const Surface& surface, const CreaseEdge& edge);
 
 /// Whether an edge is a mere diagonal: whether its two triangles could as well be cut along their
-/// other diagonal, which would bend the surface there less than twice as much. An edge of the
-/// form cannot: its other diagonal cuts a notch, as it always does where both triangles are parts
-/// of larger flat faces.
+/// other diagonal, which would bend the surface there at most twice as much. An edge of the form
+/// cannot: its other diagonal cuts a notch, as it always does where both triangles are parts of
+/// larger flat faces.
 bool is_mere_diagonal(const Surface& surface, std::uint32_t side);
 
 /// What an edge turns beyond what the surface on both sides explains.
@@ -70,18 +70,15 @@ struct CreaseJump {
     bool is_clear;
 };
 
-/// A curved face is cut into facets that turn again and again. Its curvature is the angle at an
-/// edge over the distance between the centres of the two facets there. On either side, the
-/// curvature at the edges beyond predicts how much a curved face would turn from the centre of its
-/// first facet to the edge; both predictions together are what is explained. Faces are followed
-/// straight across the edge, narrow ones along the edges of the form beside them. The angle is that
-/// of signed_angle(), less than kEdgeAngle.
+/// A curved face is cut into facets that turn again and again: on either side, those beyond predict
+/// how much it would turn from the centre of the first one to the edge, and both predictions
+/// together are what is explained. Faces are followed straight across the edge, narrow ones along
+/// the edges of the form beside them. The angle is that of signed_angle(), less than kEdgeAngle.
 CreaseJump crease_jump(const Surface& surface, std::uint32_t side, float angle);
 
 /// Makes facets of edges that no others support. Kept are certain edges; chains that run out from
-/// one straight on, as the mitres of fillets do, strong or not; other chains from one certain edge
-/// to another, or closed, at least half of which is strong; unclear edges only singly, within a
-/// chain.
+/// one straight on, as the mitres of fillets do, strong or not; others without loose ends, if at
+/// least half of what is connected is strong; unclear edges only singly, within a chain.
 void drop_unsupported(std::vector<CreaseEdge>& edges);
 
 }  // namespace laplacian_lines

@@ -1,4 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The path from the tested edge E over the facets on one side, with centres c, d, e, bends a, b:
+//
+//     E      c      a      d      b      e
+//     |------.------|------.------|------.---
+//     0    half()
+//
+// An arc of curvature k turns at each bend by k times the distance of the centres beside it, so k
+// is turn(a) / (d - c); the side is an arc if turn(b) / (e - d) is alike. E, between the first
+// centres of both sides, then turns by the sum of their k half(): see explained(). Where a fillet
+// ends at a, tangentially, turn(a) is k (a - c).
 #include "fixed/crease_edges.h"
 
 #include <algorithm>
@@ -52,9 +62,9 @@ bool may_be_of_three(const Surface& surface, std::uint32_t side, float angle) {
 /// Nearly coplanar triangles.
 struct Facet {
     float centre, end;  // along the path
-    float turn;         // at its end, degrees, with the sign of the tested edge
+    float turn;         // at its end, degrees: 0, or more if it turns as the tested edge
     bool is_flat;       // has several triangles, on the path or beside it
-    bool bends_back;    // one triangle, beyond whose third side the surface bends back
+    bool bends_back;    // one triangle, at another side of which the surface bends back
 };
 
 /// The facets on one side, up to an edge of the form, a border, or where the surface bends back.
@@ -169,8 +179,8 @@ private:
     }
 
     /// Compares the first bend with the surface behind it, which begins with `facet`. If that is
-    /// curved likewise, both are an arc. If it is not, is not more curved either, and its facets
-    /// are wider than the first one, a fillet ends with the bend.
+    /// curved likewise, both are an arc. If it is less curved, or turns no more and its facet is
+    /// wider than the first one, a fillet ends with the bend.
     void judge_beyond(Facet facet, const Bend& first, float angle) {
         const float behind = facet.centre;
         Bend next;
@@ -202,7 +212,7 @@ float explained(const FacetSide& a, const FacetSide& b) {
         const FacetSide& arc = a.is_arc() ? a : b;
         const FacetSide& other = a.is_arc() ? b : a;
         const float own = arc.curvature() * arc.half();
-        // The last facet of the arc, if it is no wider than others of it.
+        // the other side's is the last facet of the arc, if it is about as wide as the others
         return other.half() <= kAlike * arc.half() ? own + arc.curvature() * other.half() : own;
     }
     // Two facets in all: a fillet, tangent at both ends.

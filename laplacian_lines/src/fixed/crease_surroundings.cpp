@@ -118,7 +118,7 @@ private:
     const float passable_;
     const bool is_long_;
     Vector3f normals_ = Vector3f::Zero();        // times areas, as the edge's own triangle has them
-    float bends_ = 0, sizes_ = 0, squares_ = 0;  // of the angles at edges, signed; radians
+    float bends_ = 0, sizes_ = 0, squares_ = 0;  // of angles at edges, radians; the first signed
     int edges_ = 0;
 };
 

@@ -19,8 +19,8 @@ class FixedLines;
 class FixedKindLines {
 public:
     virtual ~FixedKindLines() = default;
-    /// Appends what the style shows. The eye only matters near contours; `all` has the other kinds,
-    /// whose lines are not doubled.
+    /// Appends what the style shows. The eye only matters if that includes contours; `all` has the
+    /// other kinds, whose lines are not doubled.
     virtual void append(const ExtractorData& data, FixedLines& all, const LocalEye& eye,
                         const LineStyle& style, LineSet& lines) const = 0;
     /// What the style can show from any eye, the same object while that stays the same; null for
@@ -66,7 +66,7 @@ public:
     std::shared_ptr<const LineSet> whole(const ExtractorData& data, LineKind kind,
                                          const LineStyle& style);
 
-    /// Shared while lines are appended; not cached, for it is large.
+    /// Kept until lines have been appended; not longer, for it is large.
     std::shared_ptr<const Surface> surface(const ExtractorData& data);
 
 private:

@@ -21,7 +21,7 @@ constexpr Crest kConvexCrest{LineKind::Ridge, 1}, kConcaveCrest{LineKind::Valley
 /// Convex crest lines, sharp or not, whatever the view. With e₁ the direction of the largest
 /// curvature and t = tr S, they are the zeros of ∇t·e₁ at which ∇t falls along e₁; ∇t is the
 /// tangential part of Δn (Δn = −‖S‖² n + ∇t), so the heat kernel makes them as robust as Laplacian
-/// lines. Only where one convex curvature dominates, k₁ > 2|k₂|, and only if long enough.
+/// lines. Only where k₁ > 2|k₂| and k₁ ≥ 4/D, and only if long enough.
 ZeroLines find_ridge_candidates(const ExtractorData& data, Crest crest);
 
 /// Sets the gradient of each point of the candidates to the angle of the edge there, in degrees,

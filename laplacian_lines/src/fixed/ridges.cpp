@@ -106,7 +106,7 @@ private:
         return found;
     }
 
-    /// By point, 1 if it only doubles a crease; null if none does.
+    /// By point, 1 if it only doubles a crease; null without creases.
     std::shared_ptr<const std::vector<std::uint8_t>> along_creases(
         const ExtractorData& data, const std::shared_ptr<const LineSet>& creases) const {
         if (!creases || creases->lines.empty()) return nullptr;

@@ -20,8 +20,8 @@ struct Section {
 /// those of the normal against the point's, degrees, and rise where the surface is convex.
 class SectionProfile {
 public:
-    /// Walks over the surface from triangle to triangle, up to `reach` to both sides or to a
-    /// border. `sign`: factor of the angles, −1 for concave edges.
+    /// Walks over the surface from triangle to triangle of one orientation, up to `reach` to both
+    /// sides or to a border. `sign`: factor of the angles, −1 for concave edges.
     void measure(const Surface& surface, const Section& section, float sign, float reach);
 
     /// Constant beyond the ends of the section.

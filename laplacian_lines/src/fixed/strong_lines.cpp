@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kWeak = 0.5f;      // of the least gradient, for continuations of strong parts
 constexpr float kSharpAngle = 45;  // degrees; sharper pieces count more than their length
-// Within a large triangle the place of a line is a guess, but along all of the narrow strips of a
+// Within a large triangle the place of a line is a guess, except along the narrow strips of a
 // rounded edge.
 constexpr float kLongPiece = 0.06f, kHighStrip = 0.01f;  // D
 // Longest sides, in lengths of the stretch: of triangles within which all of the stretch is a

@@ -55,7 +55,7 @@ public:
     const Facet& beyond(std::uint32_t side) const { return facets_[across(side) / 3]; }
     /// −1 if the triangle beyond has the opposite orientation; a factor of its normal.
     float sign_across(std::uint32_t side) const {
-        return begin(side) == begin(across(side)) ? -1.f : 1.f;
+        return have_one_orientation(triangles_, side, across(side)) ? 1.f : -1.f;
     }
     float cosine_across(std::uint32_t side) const {
         return sign_across(side) * dot(facets_[side / 3].normal, beyond(side).normal);

@@ -51,7 +51,7 @@ public:
     float turn() const { return angle() * sine_; }
     /// Whether the surface continues at the exit and angle() is certainly less.
     bool continues_within(const SmallAngle& angle) const;
-    /// Whether the surface ends there.
+    /// Whether the surface ends there, or the path finds no exit.
     bool is_at_border() const { return !has_next_; }
 
     /// Into the next triangle. Not at a border.

@@ -25,8 +25,8 @@ struct ZeroLines {
         Eigen::Vector3f bend;    ///< S e, of the unit direction e across the line, of either sign
         std::uint32_t side;      ///< of Surface, on which the point lies
         float value;             ///< what the kind of lines measures there, if anything
-        float triangle;          ///< the longest side of the smaller triangle there
-        float height;            ///< the least height of the larger one
+        float triangle;          ///< of the triangles there: the least of their longest sides,
+        float height;            ///< and the largest of their least heights
     };
     LineSet lines;                ///< opacity and weight are 1, gradients are not set
     std::vector<Sample> samples;  ///< by point

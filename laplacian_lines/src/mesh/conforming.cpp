@@ -31,7 +31,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Relative to the coordinates: four units in the last place of a float.
+// Relative to the coordinates: two to four units in the last place of a float.
 constexpr double kPrecision = 0x1p-22;
 // Of the diagonal: with coarser coordinates all vertices would count as one.
 constexpr double kWorstPrecision = 1e-3;
@@ -90,7 +90,7 @@ bool join_places(const Borders& borders, std::vector<std::uint32_t>& place_of) {
         const Vector3d at = borders.local(ends[i]);
         return box_around(at, at, double(borders.cracks[ends[i]]) / borders.size());
     });
-    using Pair = std::tuple<std::uint32_t, double, std::uint32_t>;  // the second nearest first
+    using Pair = std::tuple<std::uint32_t, double, std::uint32_t>;  // sorted, the nearest is first
     const auto find = [&](std::uint32_t i, std::vector<Pair>& found) {
         const std::uint32_t v = ends[i];
         tree.visit(borders.place(v), [&](std::uint32_t k) {
@@ -248,7 +248,7 @@ std::vector<std::array<std::uint32_t, 2>> find_seams(const std::vector<Triangle>
 /// neighbours of opposite orientation.
 bool are_on_each_other(const std::vector<Vector3d>& positions,
                        const std::vector<Triangle>& triangles, std::uint32_t a, std::uint32_t b) {
-    constexpr double kLeastCosine = 0.999;
+    constexpr double kLeastCosine = 0.999;  // of 2.6°
     const Vector3d along = positions[end_of(triangles, a)] - positions[begin_of(triangles, a)];
     const auto across = [&](std::uint32_t side) {
         const Vector3d to =
@@ -258,7 +258,7 @@ bool are_on_each_other(const std::vector<Vector3d>& positions,
     return across(a).dot(across(b)) > kLeastCosine;
 }
 
-// Share of triangles from which on copies are those of bodies that touch, not of a doubled mesh.
+// Share left without copies, from which on these are of bodies that touch, not of a doubled mesh.
 constexpr double kLeastSingle = 0.6;
 
 /// If most triangles are there twice, or all on both sides, one of each stays. `place_of`: for each
@@ -324,7 +324,8 @@ bool are_two_sided(const std::vector<Triangle>& triangles) {
         const bool faces_back = (a > b) ^ (a > c) ^ (b > c);
         Triangle sorted = triangles[t];
         std::sort(sorted.begin(), sorted.end());
-        const std::uint64_t hash = mix_hash(sorted[2], std::uint64_t(sorted[0]) << 32 | sorted[1]);
+        const std::uint64_t side = std::uint64_t(sorted[0]) << 32 | sorted[1];
+        const std::uint64_t hash = mix_hash(mix_hash(0, side), sorted[2]);
         return faces_back ? -hash : hash;
     };
     return sum_of<std::uint64_t>(triangles.size(), of_triangle) == 0;
@@ -374,7 +375,7 @@ std::vector<std::uint32_t> stitch_cuts(const std::vector<Vector3d>& positions,
     DisjointSets sets(positions.size());
     bool any = false;
     for (const auto& [a, b] : find_seams(triangles, at_places, positions.size())) {
-        const bool agree = begin_of(at_places, a) != begin_of(at_places, b);
+        const bool agree = have_one_orientation(at_places, a, b);
         if (!agree && are_on_each_other(positions, triangles, a, b)) continue;
         const std::uint32_t from = begin_of(triangles, b), to = end_of(triangles, b);
         sets.unite(begin_of(triangles, a), agree ? to : from);

@@ -20,7 +20,7 @@ bool lies_between(const std::vector<Eigen::Vector3d>& positions, std::uint32_t v
 /// Distances up to which positions count as equal, in the unit of the coordinates.
 struct Precision {
     double of_floats;       ///< by the largest coordinate
-    double of_coordinates;  ///< the same if all are floats, as in most files; smaller otherwise
+    double of_coordinates;  ///< the same if all are floats, as in most files; else at most that
 };
 /// Of the positions in the box of those that triangles use.
 Precision precision_of(const std::vector<Eigen::Vector3d>& positions,
@@ -36,12 +36,11 @@ bool are_two_sided(const std::vector<Triangle>& triangles);
 /// Edges of one triangle.
 std::vector<Edge> border_edges(const std::vector<Triangle>& triangles, std::size_t vertices);
 
-/// Of the diagonal: patches of CAD programs and pieces of scans are as far apart; on paper that is
-/// a fiftieth of a pen.
+/// Of the diagonal: patches of CAD programs and pieces of scans are as far apart; if it is 100 mm
+/// on paper, a fiftieth of a pen of .25 mm.
 constexpr double kCrack = 5e-5;
 
-/// Distances within which vertices of borders count as at one place, in the unit of the
-/// coordinates.
+/// Distances within which vertices of borders count as at one place, in the positions' unit.
 struct Nearness {
     double precision, crack;  ///< the second less where sides are short
 };

@@ -25,10 +25,10 @@ std::vector<std::uint32_t> groups(const std::vector<Triangle>& triangles, const 
         if (!sides.has_neighbour(side) || sides.across(side) < side) continue;
         const std::uint32_t other = sides.across(side);
         if (faces.normals[side / 3].dot(faces.normals[other / 3]) <= kSharpCosine) continue;
-        // of triangles that disagree about the outside, or of a fold that lies on itself
-        const bool runs_along = begin_of(triangles, side) == begin_of(triangles, other);
-        sets.unite(side, runs_along ? other : next_side(other));
-        sets.unite(next_side(side), runs_along ? next_side(other) : other);
+        // else they are folded onto each other and disagree about the outside
+        const bool agree = have_one_orientation(triangles, side, other);
+        sets.unite(side, agree ? next_side(other) : other);
+        sets.unite(next_side(side), agree ? other : next_side(other));
     }
     return sets.take_roots();
 }

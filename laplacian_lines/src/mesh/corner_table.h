@@ -10,7 +10,7 @@
 namespace laplacian_lines {
 
 /// Which triangles meet at edges (J. Rossignac, "3D Compression Made Simple", 2001, but by sides
-/// instead of the corners opposite of them). Side 3 t + k runs from corner k of triangle t to the
+/// instead of the corners opposite them). Side 3 t + k runs from corner k of triangle t to the
 /// next:
 ///
 ///              c

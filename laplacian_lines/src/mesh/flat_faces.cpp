@@ -14,7 +14,7 @@ constexpr double kLargeFace = 0.02, kShareOfLarge = 0.33;
 
 // Least length of the sum of a flat face's area vectors, in its area: neighbours within .1° may
 // turn by more together. This is that of a cylinder's part that turns by 2° to each side, or of two
-// planes that meet at 2°.
+// planes that meet at 2.3°.
 constexpr double kFlatShare = 0.9998;
 
 }  // namespace

@@ -113,11 +113,13 @@ bool is_folded(const Positions& positions, const Triangle& t, const Triangle& ne
     return to_v.dot(to_o) > kLeastCosine * to_v.norm() * to_o.norm();
 }
 
-/// The triangles at the longest side of one.
-const std::vector<std::uint32_t>& at_longest(const Positions& positions, const Triangle& t,
-                                             EdgesAt& at) {
-    const Triangle from = from_longest(positions, t);
-    return at[edge_between(from[0], from[1])];
+/// A triangle's neighbour across its longest side, if it has one neighbour there.
+std::optional<std::uint32_t> across_longest(const Positions& positions,
+                                            const std::vector<Triangle>& triangles, std::uint32_t t,
+                                            EdgesAt& at) {
+    const Triangle from = from_longest(positions, triangles[t]);
+    const std::vector<std::uint32_t>& two = at[edge_between(from[0], from[1])];
+    return two.size() == 2 ? std::optional(two[two[0] == t]) : std::nullopt;
 }
 
 }  // namespace
@@ -147,22 +149,21 @@ void flip_low_triangles(const Positions& positions, double least_height,
     if (low.empty()) return;
     EdgesAt at(corners_of(low, triangles, positions.size()), triangles);
     const auto flip = [&](std::uint32_t t) {
-        const std::vector<std::uint32_t> two = at_longest(positions, triangles[t], at);
-        if (two.size() != 2) return false;
-        const std::uint32_t other = two[two[0] == t];
-        const auto parts = flipped(positions, triangles[t], triangles[other]);
+        const auto other = across_longest(positions, triangles, t, at);
+        if (!other) return false;
+        const auto parts = flipped(positions, triangles[t], triangles[*other]);
         const auto is_better = [&](const Triangle& part) {
             return height_of(positions, part) > height_of(positions, triangles[t]) &&
-                   area_vector(positions, part).dot(area_vector(positions, triangles[other])) > 0;
+                   area_vector(positions, part).dot(area_vector(positions, triangles[*other])) > 0;
         };
         if (!parts || !is_better((*parts)[0]) || !is_better((*parts)[1])) return false;
-        for (const std::uint32_t i : two)
+        for (const std::uint32_t i : {t, *other})
             at.remove(triangles[i], i);
         triangles[t] = (*parts)[0];
-        triangles[other] = (*parts)[1];
-        for (const std::uint32_t i : two)
+        triangles[*other] = (*parts)[1];
+        for (const std::uint32_t i : {t, *other})
             at.add(triangles[i], i);
-        if (is_low(other)) low.push_back(other);
+        if (is_low(*other)) low.push_back(*other);
         return true;
     };
     for (std::size_t i = 0; i < low.size(); ++i)  // each flip leaves higher ones, so it ends
@@ -179,16 +180,15 @@ void unfold_needles(const Positions& positions, std::vector<Triangle>& triangles
     std::vector<bool> is_changed(triangles.size());
     for (const std::uint32_t n : needles) {
         if (is_changed[n]) continue;
-        const std::vector<std::uint32_t>& two = at_longest(positions, triangles[n], at);
-        if (two.size() != 2) continue;
-        const std::uint32_t other = two[two[0] == n];
-        if (is_changed[other] || !is_folded(positions, triangles[n], triangles[other])) continue;
-        const auto parts = flipped(positions, triangles[n], triangles[other]);
+        const auto other = across_longest(positions, triangles, n, at);
+        if (!other || is_changed[*other] || !is_folded(positions, triangles[n], triangles[*other]))
+            continue;
+        const auto parts = flipped(positions, triangles[n], triangles[*other]);
         if (!parts || is_needle(positions, (*parts)[0]) || is_needle(positions, (*parts)[1]))
             continue;
-        triangles[other] = (*parts)[0];
+        triangles[*other] = (*parts)[0];
         triangles[n] = (*parts)[1];
-        is_changed[other] = is_changed[n] = true;
+        is_changed[*other] = is_changed[n] = true;
     }
 }
 

@@ -20,8 +20,8 @@ std::vector<std::uint32_t> ends_of_short_sides(const std::vector<Eigen::Vector3d
                                                double most_length,
                                                const std::vector<Triangle>& triangles);
 
-/// Flips the longest sides of triangles that are at most so high, so that none is left where it has
-/// one neighbour there: dropping them would leave slits.
+/// Flips the longest sides of triangles that are at most so high, where they have one neighbour
+/// there and both become higher: dropping them would leave slits.
 void flip_low_triangles(const std::vector<Eigen::Vector3d>& positions, double least_height,
                         std::vector<Triangle>& triangles);
 

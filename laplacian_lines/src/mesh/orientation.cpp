@@ -4,7 +4,7 @@
 //     component, with the orientation that most of its area has.
 //  2. A closed component, also one with holes, is turned as a whole if its volume is negative.
 //  3. A closed component inside another one, found by a ray, is a cavity of it or a part within, so
-//     it is turned if that one was. What is inside a cavity decides for itself.
+//     it is turned exactly if that one was. What is inside a cavity decides for itself.
 #include "mesh/orientation.h"
 
 #include <Eigen/Geometry>
@@ -71,71 +71,58 @@ struct Component {
     }
 };
 
+/// Whether the ray from a point along x passes a triangle. Consistent at sides: one that meets a
+/// side passes one of its two triangles or, if both are seen on one side of it, both or none.
+bool is_pierced(const PreparedMesh& mesh, const Triangle& t, const Vector3d& from) {
+    const Vector3d corners[3] = {mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]};
+    const auto is_left = [&](const Vector3d& a, const Vector3d& b) {
+        const bool is_first = a.y() != b.y() ? a.y() < b.y() : a.z() < b.z();
+        const Vector3d &p = is_first ? a : b, &q = is_first ? b : a;
+        const double turn =
+            (q.y() - p.y()) * (from.z() - p.z()) - (q.z() - p.z()) * (from.y() - p.y());
+        return (turn >= 0) == is_first;
+    };
+    const bool left = is_left(corners[0], corners[1]);
+    if (is_left(corners[1], corners[2]) != left || is_left(corners[2], corners[0]) != left)
+        return false;
+    const Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    return normal.dot(corners[0] - from) * normal.x() > 0;
+}
+
 /// Finds which closed components lie in which: a ray from one crosses those around it an odd number
 /// of times.
-class Nesting {
-public:
-    Nesting(const PreparedMesh& mesh, const std::vector<std::uint32_t>& component_of,
-            std::vector<Component>& components)
-        : mesh_(mesh), component_of_(component_of), components_(components) {}
-
-    void find() {
-        using Box = BoxTree<3>::Box;
-        const auto triangles =
-            BoxTree<3>::along_curve(mesh_.triangles.size(), local_box(), [&](std::uint32_t t) {
-                Box box;
-                if (!components_[component_of_[t]].is_closed) return box;
-                for (const std::uint32_t v : mesh_.triangles[t])
-                    box.extend(mesh_.positions[v].cast<float>().eval());
-                return box;
-            });
-        std::vector<std::uint32_t> first(components_.size());
-        for (std::size_t t = mesh_.triangles.size(); t-- > 0;)
-            first[component_of_[t]] = std::uint32_t(t);
-        in_parallel(components_.size(), [&](std::size_t b) {
-            Component& component = components_[b];
-            if (!component.is_closed) return;
-            const Triangle& t = mesh_.triangles[first[b]];
-            const auto& p = mesh_.positions;
-            const Vector3d from = (p[t[0]] + p[t[1]] + p[t[2]]) / 3;
-            Box ray(from.cast<float>().eval());  // along x, to beyond the mesh
-            ray.max().x() = 2;
-            std::map<std::uint32_t, int> crossings;
-            triangles.visit(ray, [&](std::uint32_t other) {
-                const std::uint32_t outer = component_of_[other];
-                if (outer != b && components_[outer].box.contains(component.box) &&
-                    is_pierced(other, from))
-                    ++crossings[outer];
-            });
-            for (const auto& [outer, count] : crossings)
-                if (count % 2 == 1) component.around.push_back(outer);
+void find_nesting(const PreparedMesh& mesh, const std::vector<std::uint32_t>& component_of,
+                  std::vector<Component>& components) {
+    using Box = BoxTree<3>::Box;
+    const auto triangles =
+        BoxTree<3>::along_curve(mesh.triangles.size(), local_box(), [&](std::uint32_t t) {
+            Box box;
+            if (!components[component_of[t]].is_closed) return box;
+            for (const std::uint32_t v : mesh.triangles[t])
+                box.extend(mesh.positions[v].cast<float>().eval());
+            return box;
         });
-    }
-
-private:
-    /// Consistent at sides: a ray that meets one passes exactly one of its triangles.
-    bool is_pierced(std::uint32_t triangle, const Vector3d& from) const {
-        const Triangle& t = mesh_.triangles[triangle];
-        const Vector3d corners[3] = {mesh_.positions[t[0]], mesh_.positions[t[1]],
-                                     mesh_.positions[t[2]]};
-        const auto is_left = [&](const Vector3d& a, const Vector3d& b) {
-            const bool is_first = a.y() != b.y() ? a.y() < b.y() : a.z() < b.z();
-            const Vector3d &p = is_first ? a : b, &q = is_first ? b : a;
-            const double turn =
-                (q.y() - p.y()) * (from.z() - p.z()) - (q.z() - p.z()) * (from.y() - p.y());
-            return (turn >= 0) == is_first;
-        };
-        const bool left = is_left(corners[0], corners[1]);
-        if (is_left(corners[1], corners[2]) != left || is_left(corners[2], corners[0]) != left)
-            return false;
-        const Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-        return normal.dot(corners[0] - from) * normal.x() > 0;
-    }
-
-    const PreparedMesh& mesh_;
-    const std::vector<std::uint32_t>& component_of_;
-    std::vector<Component>& components_;
-};
+    std::vector<std::uint32_t> first(components.size());
+    for (std::size_t t = mesh.triangles.size(); t-- > 0;)
+        first[component_of[t]] = std::uint32_t(t);
+    in_parallel(components.size(), [&](std::size_t b) {
+        Component& component = components[b];
+        if (!component.is_closed) return;
+        const auto [i, j, k] = mesh.triangles[first[b]];
+        const Vector3d from = (mesh.positions[i] + mesh.positions[j] + mesh.positions[k]) / 3;
+        Box ray(from.cast<float>().eval());  // along x, to beyond the mesh
+        ray.max().x() = 2;
+        std::map<std::uint32_t, int> crossings;
+        triangles.visit(ray, [&](std::uint32_t other) {
+            const std::uint32_t outer = component_of[other];
+            if (outer != b && components[outer].box.contains(component.box) &&
+                is_pierced(mesh, mesh.triangles[other], from))
+                ++crossings[outer];
+        });
+        for (const auto& [outer, count] : crossings)
+            if (count % 2 == 1) component.around.push_back(outer);
+    });
+}
 
 /// From the outside inwards: what is within solid matter is turned with it.
 void flip_together(std::vector<Component>& components) {
@@ -169,18 +156,13 @@ public:
         if (components_.size() > 1 &&
             std::any_of(components_.begin(), components_.end(),
                         [](const Component& component) { return component.is_flipped; })) {
-            Nesting(mesh_, component_of_, components_).find();
+            find_nesting(mesh_, component_of_, components_);
             flip_together(components_);
         }
         flip();
     }
 
 private:
-    /// Whether two triangles disagree about the outside at their edge.
-    bool is_opposed(std::uint32_t side, std::uint32_t other) const {
-        return begin_of(mesh_.triangles, side) == begin_of(mesh_.triangles, other);
-    }
-
     void find_components() {
         std::vector<std::uint32_t> open;
         for (std::uint32_t first = 0; first < component_of_.size(); ++first) {
@@ -203,7 +185,8 @@ private:
         const std::uint32_t other = table_.across(side), here = side / 3, there = other / 3;
         const bool is_known = component_of_[there] != kNone;
         if ((is_known && other < side) || is_same(here, there)) return;  // once an edge is enough
-        const bool is_flipped = bool(is_flipped_[here]) != is_opposed(side, other);
+        const bool is_flipped =
+            bool(is_flipped_[here]) == have_one_orientation(mesh_.triangles, side, other);
         if (!is_known) {
             component_of_[there] = component_of_[here];
             is_flipped_[there] = is_flipped;
@@ -213,8 +196,7 @@ private:
         }
     }
 
-    /// Whether neighbours have the same third corner: two sides of one face, which may well
-    /// disagree.
+    /// Whether neighbours have one third corner: two sides of one face, which may well disagree.
     bool is_same(std::uint32_t a, std::uint32_t b) const {
         const Triangle &t = mesh_.triangles[a], &u = mesh_.triangles[b];
         return t[0] + t[1] + t[2] == u[0] + u[1] + u[2];
@@ -224,13 +206,13 @@ private:
         for (std::uint32_t t = 0; t < component_of_.size(); ++t)
             components_[component_of_[t]].add(mesh_, mesh_.triangles[t], is_flipped_[t] ? -1 : 1);
         std::vector<std::uint8_t> follows;
-        for (Component& component : components_)
+        std::size_t borders = 0;
+        for (Component& component : components_) {
             follows.push_back(component.follow_majority());
+            borders += component.borders;
+        }
         for (std::uint32_t t = 0; t < component_of_.size(); ++t)
             is_flipped_[t] ^= follows[component_of_[t]];
-        std::size_t borders = 0;
-        for (const Component& component : components_)
-            borders += component.borders;
         if (components_.size() > 1)  // a single open surface has borders by intent
             mesh_.report.border_share = double(borders) / double(table_.edge_count());
     }
@@ -246,7 +228,8 @@ private:
             const auto side = std::uint32_t(i), other = table_.across(side);
             // they disagree after the flips as before if both or none of them flips
             return table_.has_neighbour(side) && side < other &&
-                   is_opposed(side, other) == (is_to_flip(side / 3) == is_to_flip(other / 3));
+                   have_one_orientation(mesh_.triangles, side, other) ==
+                       (is_to_flip(side / 3) != is_to_flip(other / 3));
         });
         std::size_t flipped = 0;
         for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)

@@ -78,7 +78,7 @@ void expect_surface(const std::vector<Triangle>& usable) {
                     "point cloud, reconstruct one first.");
 }
 
-/// Gives vertices that only copies of triangles used the representative of another at their place.
+/// Gives vertices that only dropped triangles used the representative of another at their place.
 void represent_copies(const TriangleMesh& mesh, const std::vector<std::uint32_t>& place_of,
                       PreparedMesh& prepared) {
     std::vector<std::uint32_t> used_at(place_of.size(), kUnused);
@@ -116,12 +116,6 @@ bool restrict_to(std::vector<Triangle> usable, PreparedMesh& prepared) {
     prepared.report.degenerate_triangles += lost;
     prepared.triangles = with_places(std::move(usable), prepared.original_vertex);
     return true;
-}
-
-/// Around the mesh's centre, coordinates may be coarser than around the origin: drops triangles
-/// that lose their area by this. Returns whether any did.
-bool drop_lost_triangles(PreparedMesh& prepared) {
-    return restrict_to(usable_triangles(prepared.positions, prepared.triangles), prepared);
 }
 
 /// Welds the ends of sides that have no length, and drops the triangles at these. Returns whether
@@ -179,9 +173,8 @@ void to_local_coordinates(const TriangleMesh& mesh, PreparedMesh& prepared) {
     const Eigen::AlignedBox3d box = bounding_box(
         original.size(),
         [&](std::size_t i) -> const Eigen::Vector3d& { return mesh.positions[original[i]]; });
-    const Eigen::Vector3d &low = box.min(), &high = box.max();
-    prepared.centre = low / 2 + high / 2;
-    prepared.diagonal = (high - low).stableNorm();
+    prepared.centre = box.min() / 2 + box.max() / 2;
+    prepared.diagonal = box.sizes().stableNorm();
     check_size(prepared.diagonal);
     prepared.positions = large_array<Eigen::Vector3d>(original.size());
     for_each_element(original.size(), [&](std::size_t i) {
@@ -233,9 +226,7 @@ double coarse_step(const TriangleMesh& mesh, PreparedMesh& prepared) {
         const Eigen::Vector3d extent = a.cwiseMax(b).cwiseMax(c) - a.cwiseMin(b).cwiseMin(c);
         return extent.maxCoeff() * prepared.diagonal < kCell * step;
     };
-    const std::vector<Triangle>& triangles = prepared.triangles;
-    const bool is_grid = std::all_of(triangles.begin(), triangles.end(), is_in_cell);
-    if (is_grid) return 0;
+    if (std::all_of(prepared.triangles.begin(), prepared.triangles.end(), is_in_cell)) return 0;
     return flat_faces(prepared, sides_of(prepared)).are_large() ? 0 : step;
 }
 
@@ -280,7 +271,8 @@ PreparedMesh prepare_geometry(const TriangleMesh& mesh, Cuts cuts, Facing facing
     do {
         keep_used_vertices(mesh, prepared);
         to_local_coordinates(mesh, prepared);
-    } while (drop_lost_triangles(prepared) ||
+        // around the centre, coordinates may be coarser than around the origin
+    } while (restrict_to(usable_triangles(prepared.positions, prepared.triangles), prepared) ||
              (cuts == Cuts::Stitched && weld_short_sides(mesh, prepared)));
     unfold_needles(prepared.positions, prepared.triangles);
     if (facing == Facing::Outwards) orient(prepared);

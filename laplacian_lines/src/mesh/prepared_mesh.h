@@ -76,7 +76,6 @@ double mean_edge(const std::vector<Eigen::Vector3d>& positions,
 /// of the returned tree. Keeps the cyclic order of corners. Sets the masses.
 SpatialTree sort_in_space(PreparedMesh& mesh);
 
-/// Twice the area of a triangle times its unit normal.
 inline Eigen::Vector3d area_vector(const PreparedMesh& mesh, const Triangle& t) {
     return area_vector(mesh.positions, t);
 }

@@ -30,6 +30,11 @@ inline std::uint32_t end_of(const std::vector<Triangle>& triangles, std::uint32_
 inline Edge edge_of(const std::vector<Triangle>& triangles, std::uint32_t side) {
     return edge_between(begin_of(triangles, side), end_of(triangles, side));
 }
+/// Whether the triangles of two sides of an edge have one orientation: sides run opposite ways.
+inline bool have_one_orientation(const std::vector<Triangle>& triangles, std::uint32_t side,
+                                 std::uint32_t other) {
+    return begin_of(triangles, side) != begin_of(triangles, other);
+}
 /// The sides of the same triangle after and before it.
 inline std::uint32_t next_side(std::uint32_t side) {
     return side % 3 == 2 ? side - 2 : side + 1;

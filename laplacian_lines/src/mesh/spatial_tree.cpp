@@ -22,7 +22,7 @@ constexpr int kSamples = 64;
 
 typedef std::int32_t Int4 __attribute__((vector_size(16)));
 
-/// A point in steps of a 2^31th of the box of all points, and its index.
+/// A point in steps of a 2^31th of the longest side of all points' box, and its index.
 struct alignas(16) Item {
     std::int32_t at[3];
     std::int32_t index;
