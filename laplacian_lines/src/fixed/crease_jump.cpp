@@ -33,8 +33,8 @@ bool are_alike(float a, float b) {
     return a <= kAlike * b && b <= kAlike * a;
 }
 
-/// Whether three edges of at least this angle meet at the vertex `end` of an edge, and not both
-/// others have kEdgeAngle.
+/// Whether exactly three edges of at least this angle, an edge among them, meet at its vertex
+/// `end`, and not both others have kEdgeAngle.
 bool is_corner(const Surface& surface, std::uint32_t side, std::uint32_t end, float least) {
     int edges = 0, sharp = 0;
     std::uint32_t at = side;
