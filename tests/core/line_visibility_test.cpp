@@ -338,6 +338,15 @@ TEST(LineVisibility, WhatIsBeforeAnEyeAmongTheMeshHidesWhatIsBehind) {
     EXPECT_NEAR(hidden / total_length(all), angle / kPi, 0.002);
 }
 
+/// The centre has no direction, about which eyes elsewhere are turned.
+TEST(LineVisibility, AnEyeAtTheCentreSeesToBothSides) {
+    TriangleMesh mesh;
+    for (const double z : {-1., 1.})
+        add_rectangle(mesh, {0, 0, z}, 2, 2);
+    const LineParts parts = LineVisibility(mesh).parts(View::perspective({0, 0, 0}), {}, {});
+    EXPECT_NEAR(total_length(parts.seen), 16 / std::sqrt(12), 1e-4);
+}
+
 /// From behind, half a torus shows its inside with contours.
 TEST(LineVisibility, ContoursOfOpenSurfacesAreSeenFromInside) {
     const LineParts parts = contours_of(test_meshes::half_torus(144, 72).mesh,
@@ -367,15 +376,20 @@ double length_from_above(const LineSet& lines) {
     return length;
 }
 
-/// However the eye misses the walls' planes.
+/// However the eye misses the walls' planes, and where specks touch the walls' edges.
 TEST(LineVisibility, WallsSeenAlongTheirPlanesHaveContours) {
-    const TriangleMesh mesh = block_on_plate();
-    for (const double aside : {0., 1e-6, -1e-6}) {
-        const View view = View::orthographic({aside, 2 * aside, 1});
-        const LineParts parts =
-            LineVisibility(mesh).parts(view, {}, {helpers::all_contours().shows, 0, true});
-        EXPECT_NEAR(length_from_above(parts.seen), 28 + 12, 0.01) << aside;
-    }
+    TriangleMesh touched = block_on_plate();
+    constexpr double kSpeck = 1e-4;
+    for (const double side : {-1., 1.})
+        touched = together(
+            touched, moved(test_meshes::cube(1), {0.3, side * (1 + kSpeck), 3 + kSpeck}, kSpeck));
+    for (const TriangleMesh& mesh : {block_on_plate(), touched})
+        for (const double aside : {0., 1e-6, -1e-6}) {
+            const View view = View::orthographic({aside, 2 * aside, 1});
+            const LineParts parts =
+                LineVisibility(mesh).parts(view, {}, {helpers::all_contours().shows, 0, true});
+            EXPECT_NEAR(length_from_above(parts.seen), 28 + 12, 0.01) << aside;
+        }
 }
 
 /// Along as much of the one wall as of the other.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// At a point of a line, the cosine between the ways to it and from it, each kReach long, tells how
-// sharply the line turns: from a right angle on less of it goes on, at 110° nothing.
+// At a point of a line, the cosine between the ways to it and from it, each over kReach, tells how
+// sharply the line turns: from a right angle on less of it goes on, from 110° on nothing.
 #include "redraw/hairpins.h"
 
 #include <algorithm>
@@ -53,6 +53,7 @@ void Hairpins::fade(std::vector<float>& clear, LinePoint* line) const {
     for (std::size_t i = passes_.size(); i-- > 0; most = std::max(most, carried))
         clear[i] = carried = std::max(clear[i], std::min(carried, passes_[i]));
     for (std::size_t i = 0; i < passes_.size(); ++i)
+        // in full from half of what is clearest on
         line[i].opacity *= std::min(passes_[i], most > 0 ? 2 * clear[i] / most : 1.f);
 }
 

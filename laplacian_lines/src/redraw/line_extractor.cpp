@@ -53,7 +53,7 @@ std::size_t LineExtractor::memory() const {
 
 namespace {
 
-// An eye this close to the centre, in D, is within the bounding box, where no scale makes sense.
+// In D: for an eye nearer to the centre the scale stays as it is there, and so finite.
 constexpr double kLeastEyeDistance = 0.01;
 
 LocalEye direction_to_local(const Eigen::Vector3d& direction, const char* complaint) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The last step of a redraw, for several lines at once:
+// How the lines found anew by a redraw are finished, several at once:
 //  1. The strips of a line are copied one behind the other.
 //  2. A whole line, traced without tests of its segments, fades by its mean slope instead.
 //  3. Where a line turns back sharply it fades, and is cut if nothing of it goes on.
-//  4. Slopes become weights and opacities; open ends run out.
-//  5. Weights, opacities and positions are smoothed, and positions put into mesh coordinates.
+//  4. Slopes become weights and opacities, which are smoothed; then open ends run out.
+//  5. Positions are smoothed and put into mesh coordinates.
 #include "redraw/line_finishing.h"
 
 #include <algorithm>
@@ -31,30 +31,29 @@ void prefetch_points(const JoinedStrip& strip) {
         __builtin_prefetch(begin + i);
 }
 
-/// Copies all strips of a line one behind the other; neighbours share a point. Weights are the
-/// slopes of the segments that end there.
+/// `slope`: of the segment that ends there, which is the weight until weigh().
+LinePoint line_point(const StripPoint& p, float slope) {
+    return {Eigen::Vector3f(p.position), slope, p.gradient, p.opacity};
+}
+
+/// Copies all strips of a line one behind the other; neighbours share a point.
 void collect_points(const TracedLines& traced, const TracedLines::Line& line, LinePoint* to) {
-    static_assert(sizeof(LinePoint) == sizeof(StripPoint), "the same numbers");
     const std::uint32_t* ends = traced.ends.data() + line.first_end;
     for (std::uint32_t i = 0; i < line.end_count; ++i) {
         if (i + kStripsAhead < line.end_count)
             prefetch_points(line.strips[ends[i + kStripsAhead] / 2]);
         const JoinedStrip& strip = line.strips[ends[i] / 2];
-        const auto* const points = reinterpret_cast<const LinePoint*>(strip.points);
+        const StripPoint* const points = strip.points;
         const std::uint32_t last = strip.count - 1;
         const bool backwards = ends[i] % 2 == 1;
-        const LinePoint& first = points[backwards ? last : 0];
+        const StripPoint& first = points[backwards ? last : 0];
         if (i == 0)
-            *to++ = first;
+            *to++ = line_point(first, first.slope);
         else if (std::signbit(first.gradient))  // of a hollow edge, both of whose ends say so
             to[-1].gradient = first.gradient;
-        if (!backwards) {
-            to = std::copy(points + 1, points + strip.count, to);
-            continue;
-        }
-        for (std::uint32_t k = last; k-- > 0; ++to) {
-            *to = points[k];
-            to->weight = points[k + 1].weight;
+        for (std::uint32_t n = 1; n <= last; ++n) {
+            const std::uint32_t k = backwards ? last - n : n;
+            *to++ = line_point(points[k], points[backwards ? k + 1 : k].slope);
         }
     }
 }

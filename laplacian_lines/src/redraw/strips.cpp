@@ -143,15 +143,10 @@ void append_horizon(const EdgeHorizon& horizon, const LocalEye& eye, unsigned ki
     for (const EdgeHorizon::Edge& edge : horizon.edges) {
         if (faces(edge.triangles[0]) == (faces(edge.triangles[1]) != edge.is_reversed)) continue;
         reserve(thread, kind, output.strip_count, output.point_count);
-        const Eigen::Vector3f ends[2] = {horizon.positions[edge.vertices[0]],
-                                         horizon.positions[edge.vertices[1]]};
-        output.strips[output.strip_count++] = {output.point_count,
-                                               2,
-                                               {edge.vertices[0], edge.vertices[1]},
-                                               length_of(ends[1] - ends[0]),
-                                               0,
-                                               0,
-                                               0};
+        const auto [from, to] = edge.vertices;
+        const Eigen::Vector3f ends[2] = {horizon.positions[from], horizon.positions[to]};
+        const float length = length_of(ends[1] - ends[0]);
+        output.strips[output.strip_count++] = {output.point_count, 2, {from, to}, length, 0, 0, 0};
         for (const Eigen::Vector3f& p : ends)
             output.points[output.point_count++] = {
                 {p.x(), p.y(), p.z()}, 0, edge.is_hollow && is_outside ? -0.f : 0.f, 1};
@@ -171,12 +166,12 @@ void join_strips(const FoundStrips& found, unsigned kind, std::uint32_t place_co
     memory.end_at_edge.assign(place_count, kNoEnd);
     std::uint32_t loop = kNoEnd;
     for (const ChunkOfStrips& chunk : found.chunks) {
-        const StripOutput& thread = found.threads[chunk.thread].output[kind];
+        const StripOutput& output = found.threads[chunk.thread].output[kind];
         for (std::uint32_t i = chunk.begin[kind]; i < chunk.end[kind]; ++i) {
-            const Strip& later = thread.strips[std::min(i + kStripsAhead, chunk.end[kind] - 1)];
+            const Strip& later = output.strips[std::min(i + kStripsAhead, chunk.end[kind] - 1)];
             for (const std::uint32_t edge : later.edges)  // asks for what lies anywhere
                 if (edge < Strip::kContinued) __builtin_prefetch(&memory.end_at_edge[edge], 1);
-            append(thread.strips[i], thread.points, memory.strips[kind], memory, loop);
+            append(output.strips[i], output.points, memory.strips[kind], memory, loop);
         }
     }
 }

@@ -37,7 +37,7 @@ struct FoundStrips {
 void find_strips(const ExtractorData& data, const ExtractionTask& task, FoundStrips& found);
 
 /// Appends the edges of the horizon: a strip of a kind for each, that ends at vertices instead of
-/// edges. Both points of a hollow one, which its own body hides, have -0 as gradient.
+/// edges. Both points of a hollow one have -0 as gradient if its body hides it: from outside.
 void append_horizon(const EdgeHorizon& horizon, const LocalEye& eye, unsigned kind,
                     FoundStrips& found);
 

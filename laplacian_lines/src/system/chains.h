@@ -34,7 +34,7 @@ void for_each_chain(std::uint32_t pieces, const Link& link, const Trace& trace) 
         trace(2 * piece);
 }
 
-/// Calls use(begin, count) for the longest runs of places at which is_in(place), 0 <= place <
+/// Calls use(begin, count) for the maximal runs of places at which is_in(place), 0 <= place <
 /// `places`, along a line. Of a closed one they may go on at its beginning, at i % places; all of
 /// it is (0, places).
 template <class IsIn, class Use>

@@ -41,8 +41,8 @@ std::vector<std::uint32_t> first_equals(std::size_t count, HashOf hash_of, Equal
     return first;
 }
 
-/// Adds an integer to a hash, with the multipliers of splitmix64. Every bit of the result depends
-/// on all bits.
+/// Adds an integer to a hash, with constants of splitmix64. Every bit of the result depends on all
+/// bits.
 inline std::uint64_t mix_hash(std::uint64_t hash, std::uint64_t value) {
     std::uint64_t x = hash ^ value;
     x ^= x >> 31;

@@ -15,16 +15,17 @@ void advise_huge_pages(void* memory, std::size_t bytes);
 void clear_pages(void* memory, std::size_t bytes);
 
 template <class T>
-void reserve_large(std::vector<T>& array, std::size_t count) {
-    array.reserve(count);
-    advise_huge_pages(array.data(), count * sizeof(T));
-    clear_pages(array.data(), count * sizeof(T));
+std::vector<T> empty_large_array(std::size_t room) {
+    std::vector<T> array;
+    array.reserve(room);
+    advise_huge_pages(array.data(), room * sizeof(T));
+    clear_pages(array.data(), room * sizeof(T));
+    return array;
 }
 
 template <class T>
 std::vector<T> large_array(std::size_t count, const T& value) {
-    std::vector<T> array;
-    reserve_large(array, count);
+    std::vector<T> array = empty_large_array<T>(count);
     array.resize(count, value);
     return array;
 }
@@ -32,8 +33,7 @@ std::vector<T> large_array(std::size_t count, const T& value) {
 /// Default-constructed; numbers are 0.
 template <class T>
 std::vector<T> large_array(std::size_t count) {
-    std::vector<T> array;
-    reserve_large(array, count);
+    std::vector<T> array = empty_large_array<T>(count);
     array.resize(count);
     return array;
 }

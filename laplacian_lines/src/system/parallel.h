@@ -10,7 +10,6 @@
 #include <tuple>
 #include <vector>
 
-#include "laplacian_lines/error.h"
 #include "laplacian_lines/progress.h"
 #include "laplacian_lines/threads.h"
 

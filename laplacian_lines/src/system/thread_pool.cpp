@@ -48,9 +48,6 @@ struct Loop {
 
 class Pool {
 public:
-    Pool() = default;
-    Pool(const Pool&) = delete;
-    Pool& operator=(const Pool&) = delete;
     /// Helpers must not outlive their code, which may be a plugin's.
     ~Pool() {
         {
@@ -164,7 +161,7 @@ int first_limit() {
     return threads > 0 ? threads : processor_count();
 }
 
-std::atomic<int> limit{0};  // 0: that of first_limit()
+std::atomic<int> limit{0};  // less than 1: that of first_limit()
 
 }  // namespace
 

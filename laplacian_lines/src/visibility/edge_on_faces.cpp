@@ -38,7 +38,7 @@ bool EdgeOnFaces::needs_contour(std::uint32_t edge) const {
 }
 
 void EdgeOnFaces::find_triangles() {
-    // The given eye is within one turn, one turned in the opposite direction within two.
+    // What the given eye sees edge-on is within one turn, what one turned the other way does, two.
     const double least = 2 * EyeFrame::turn();
     is_edge_on_.resize(mesh_.triangles.size());
     for_each_element(is_edge_on_.size(), [&](std::size_t t) {
@@ -96,10 +96,9 @@ bool EdgeOnFaces::recedes(std::uint32_t edge, std::uint32_t triangle) const {
     const auto& ends = mesh_.edges[edge].vertices;
     const Vector3d &a = picture_.vertex(ends[0]), span = picture_.vertex(ends[1]) - a;
     const Vector3d normal = span.cross(Vector3d::UnitZ()).cross(span);  // to the eye, off the edge
-    const Triangle& t = mesh_.triangles[triangle];
-    return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
-        return v == ends[0] || v == ends[1] || normal.dot(picture_.vertex(v) - a) < 0;
-    });
+    const Triangle& t = mesh_.triangles[triangle];  // two corners are in line with the edge
+    const Vector3d sum = picture_.vertex(t[0]) + picture_.vertex(t[1]) + picture_.vertex(t[2]);
+    return normal.dot(sum - 3 * a) < 0;
 }
 
 /// Whether edges of a face, which is a line in the picture, together cover another of its edges:

@@ -9,9 +9,9 @@
 
 namespace laplacian_lines {
 
-/// Flat faces seen edge-on, within the angle by which the eye is turned: whether one faces the eye
-/// is chance. If it faces away, it has a contour in front. If it and its neighbours face the eye,
-/// it has none; its near edge is then made a contour, for the depth jumps there.
+/// Flat faces seen edge-on, within twice the angle by which the eye is turned: whether one faces
+/// the eye is chance. If it faces away, it has a contour in front. If it and its neighbours face
+/// the eye, it has none; its near edge is then made a contour, for the depth jumps there.
 class EdgeOnFaces {
 public:
     /// The picture outlives the object.

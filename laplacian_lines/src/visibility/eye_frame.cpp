@@ -15,8 +15,9 @@ using Eigen::Vector3d;
 constexpr double kTurn = 3e-5;         // rad; any from 1e-7 to 1e-3 decides alike
 constexpr double kIrregular = 0.7316;  // rad; of an axis that is none of a mesh's symmetry
 
-/// A direction or position, turned about the origin.
+/// A direction or position, turned about the origin; the origin itself stays.
 Vector3d turned(const Vector3d& v) {
+    if (v.isZero(0)) return v;
     const Vector3d direction = v.stableNormalized(), aside = direction.unitOrthogonal();
     const Vector3d axis =
         std::cos(kIrregular) * aside + std::sin(kIrregular) * direction.cross(aside);

@@ -49,8 +49,8 @@ public:
     /// Whether all triangles of an edge are on one side of it.
     bool is_contour(std::uint32_t edge) const;
 
-    /// Orientation of c to the line from a to b: 1 left of it or on it, −1 right of it. Exchanging
-    /// a and b changes the sign.
+    /// Orientation of c to the line from a to b: 1 left of it, −1 right of it, either on it.
+    /// Exchanging a and b changes the sign.
     static int turn(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
     /// By how much z grows over a small local distance towards the eye, from this z on.

@@ -18,13 +18,13 @@ using Box = Eigen::AlignedBox2f;
 
 constexpr double kRounding = 4;  // precisions by which a line may seem in front of its own surface
 
-double height_over(const Vector3d& a, const Vector3d& b, const Vector3d& p) {
+double twice_area(const Vector3d& a, const Vector3d& b, const Vector3d& p) {
     return std::abs((b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x()));
 }
 
 /// Where the line from a to b crosses the line through c and d; a and b are on different sides.
 double share_of(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) {
-    const double before = height_over(c, d, a), after = height_over(c, d, b);
+    const double before = twice_area(c, d, a), after = twice_area(c, d, b);
     return before + after > 0 ? before / (before + after) : 0.5;
 }
 

@@ -23,8 +23,8 @@ public:
             });
     }
 
-    /// Calls visit(vertex) for all vertices within `reach` of a straight line, some of them more
-    /// than once.
+    /// Calls visit(vertex) for all vertices within `reach` of a straight line and some farther off,
+    /// for some more than once.
     template <class Visit>
     void visit_along(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double reach,
                      Visit visit) const {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Visible pieces become lines:
 //  1. Those that are wanted are kept, without short contours.
-//  2. Ends of pieces that meet at a node are linked in pairs of one class: the straightest first,
-//     and straight ones only, but those of outlines always, for outlines close.
+//  2. Ends of pieces of one class that meet at a node are linked: two always; of more the
+//     straightest pairs first, and straight ones only, but all of outlines, for outlines close.
 //  3. What is linked is a line, smoothed between its exact points.
-// Ends of pieces are numbered: half 2 p is the first end of piece p, half 2 p + 1 its last.
+// Ends of pieces are numbered: 2 p is the first of piece p, 2 p + 1 its last.
 #include "visibility/visibility_pieces.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr std::size_t kMostAtNode = 64;  // pieces; of more only outlines are joined
+constexpr std::size_t kMostAtNode = 64;  // ends; of more only outlines are joined
 constexpr double kStraight = 0.5;  // least cosine of the turn at which a line passes a junction
 
 class ViewLineTracer {
@@ -56,8 +56,8 @@ public:
 private:
     static constexpr std::uint32_t kNone = 0xffffffffu;
 
-    const VisibilitySegment& segment_of(std::uint32_t half) const {
-        return all_.segments[pieces_[half / 2].segment];
+    const VisibilitySegment& segment_of(std::uint32_t end) const {
+        return all_.segments[pieces_[end / 2].segment];
     }
 
     bool is_wanted(const VisibilityPiece& piece) const {
@@ -77,13 +77,13 @@ private:
         for (const VisibilityPiece& piece : pieces_)
             if (!piece.is_hidden) sets.unite(piece.nodes[0], piece.nodes[1]);
         const std::vector<std::uint32_t> set = sets.take_roots();
-        std::vector<std::uint32_t> first(nodes, kNone);  // half of a set
+        std::vector<std::uint32_t> first(nodes, kNone);  // end of each set
         std::vector<double> reach(nodes);                // from it
-        for (std::uint32_t half = 0; half < 2 * pieces_.size(); ++half) {
-            const std::uint32_t at = set[pieces_[half / 2].nodes[half % 2]];
-            if (pieces_[half / 2].is_hidden) continue;
-            if (first[at] == kNone) first[at] = half;
-            reach[at] = std::max(reach[at], (position(half) - position(first[at])).norm());
+        for (std::uint32_t end = 0; end < 2 * pieces_.size(); ++end) {
+            const std::uint32_t at = set[pieces_[end / 2].nodes[end % 2]];
+            if (pieces_[end / 2].is_hidden) continue;
+            if (first[at] == kNone) first[at] = end;
+            reach[at] = std::max(reach[at], (position(end) - position(first[at])).norm());
         }
         const double shortest = options_.shortest_contour * all_.picture.mesh().size;
         const auto is_short = [&](const VisibilityPiece& piece) {
@@ -96,10 +96,10 @@ private:
     static constexpr int kOutlines = -1;
 
     /// Only pieces of one class are joined; near edges of faces seen edge-on are a class.
-    int class_of(std::uint32_t half) const {
-        const VisibilityPiece& piece = pieces_[half / 2];
+    int class_of(std::uint32_t end) const {
+        const VisibilityPiece& piece = pieces_[end / 2];
         if (options_.in_picture && piece.is_outline) return kOutlines;
-        const VisibilitySegment& segment = segment_of(half);
+        const VisibilitySegment& segment = segment_of(end);
         const bool bounds_form = describe(segment.kind).bounds_form;
         if (bounds_form && !segment.divides) return 2 * int(kLineKindCount) + piece.is_hidden;
         const int kind = options_.in_picture && bounds_form ? 0 : int(segment.kind);
@@ -109,11 +109,11 @@ private:
     /// Node, segment and class: ends of pieces are linked if theirs are the same. In space, each of
     /// the two segments of a crossing has a node of its own.
     using Key = std::tuple<std::uint32_t, std::uint32_t, int>;
-    Key key_of(std::uint32_t half) const {
-        const VisibilityPiece& piece = pieces_[half / 2];
-        const std::uint32_t node = piece.nodes[half % 2];
+    Key key_of(std::uint32_t end) const {
+        const VisibilityPiece& piece = pieces_[end / 2];
+        const std::uint32_t node = piece.nodes[end % 2];
         const bool is_in_space = node >= first_crossing_ && !options_.in_picture;
-        return {node, is_in_space ? piece.segment : 0, class_of(half)};
+        return {node, is_in_space ? piece.segment : 0, class_of(end)};
     }
 
     /// Links the pieces of lines on the surface, which are in order.
@@ -129,16 +129,16 @@ private:
     }
 
     void link_at_nodes() {
-        std::vector<std::pair<Key, std::uint32_t>> halves;
-        for (std::uint32_t half = 0; half < nodes_.size(); ++half)
-            halves.emplace_back(key_of(half), half);
-        std::sort(halves.begin(), halves.end());
+        std::vector<std::pair<Key, std::uint32_t>> ends;
+        for (std::uint32_t end = 0; end < nodes_.size(); ++end)
+            ends.emplace_back(key_of(end), end);
+        std::sort(ends.begin(), ends.end());
         std::vector<std::uint32_t> meeting;
-        for (std::size_t begin = 0, end; begin < halves.size(); begin = end) {
-            const Key& key = halves[begin].first;
+        for (std::size_t i = 0; i < ends.size();) {
+            const Key& key = ends[i].first;
             meeting.clear();
-            for (end = begin; end < halves.size() && halves[end].first == key; ++end)
-                meeting.push_back(halves[end].second);
+            for (; i < ends.size() && ends[i].first == key; ++i)
+                meeting.push_back(ends[i].second);
             link(meeting, std::get<int>(key) == kOutlines);
         }
     }
@@ -147,20 +147,20 @@ private:
 
     /// Links pieces at a node: two of them, or the straightest pairs; of a great many only
     /// outlines, which have to close.
-    void link(const std::vector<std::uint32_t>& halves, bool are_outlines) {
-        if (halves.size() == 2) return join(halves[0], halves[1]);
-        if (halves.size() > kMostAtNode) {
-            for (std::size_t i = 1; are_outlines && i < halves.size(); i += 2)
-                join(halves[i - 1], halves[i]);
+    void link(const std::vector<std::uint32_t>& ends, bool are_outlines) {
+        if (ends.size() == 2) return join(ends[0], ends[1]);
+        if (ends.size() > kMostAtNode) {
+            for (std::size_t i = 1; are_outlines && i < ends.size(); i += 2)
+                join(ends[i - 1], ends[i]);
             return;
         }
         std::vector<std::tuple<double, std::uint32_t, std::uint32_t>> pairs;
-        for (std::size_t k = 1; k < halves.size(); ++k)
+        for (std::size_t k = 1; k < ends.size(); ++k)
             for (std::size_t i = 0; i < k; ++i) {
                 // −1: straight on
-                const double cosine = direction(halves[i]).dot(direction(halves[k]));
+                const double cosine = direction(ends[i]).dot(direction(ends[k]));
                 if (are_outlines || cosine < -kStraight)
-                    pairs.emplace_back(cosine, halves[i], halves[k]);
+                    pairs.emplace_back(cosine, ends[i], ends[k]);
             }
         std::sort(pairs.begin(), pairs.end());
         for (const auto& [cosine, a, b] : pairs)
@@ -168,27 +168,27 @@ private:
     }
 
     /// The direction of a piece from one of its ends, in the picture.
-    Vector2d direction(std::uint32_t half) const {
-        const VisibilitySegment& segment = segment_of(half);
+    Vector2d direction(std::uint32_t end) const {
+        const VisibilitySegment& segment = segment_of(end);
         const Vector3d along =
             all_.projected(segment.points[1]) - all_.projected(segment.points[0]);
-        return (half % 2 == 0 ? 1 : -1) * along.head<2>().stableNormalized();
+        return (end % 2 == 0 ? 1 : -1) * along.head<2>().stableNormalized();
     }
 
-    Vector3d position(std::uint32_t half) const {
-        const double share = pieces_[half / 2].shares[half % 2];
-        return all_.picture.mesh().in_mesh(all_.position_at(segment_of(half), share));
+    Vector3d position(std::uint32_t end) const {
+        const double share = pieces_[end / 2].shares[end % 2];
+        return all_.picture.mesh().in_mesh(all_.position_at(segment_of(end), share));
     }
 
-    ViewLinePoint point_at(std::uint32_t half) const {
-        const VisibilityPiece& piece = pieces_[half / 2];
-        const VisibilitySegment& segment = segment_of(half);
-        ViewLinePoint point{position(half), 1, 0, 1, piece.nodes[half % 2], segment.is_exact};
+    ViewLinePoint point_at(std::uint32_t end) const {
+        const VisibilityPiece& piece = pieces_[end / 2];
+        const VisibilitySegment& segment = segment_of(end);
+        ViewLinePoint point{position(end), 1, 0, 1, piece.nodes[end % 2], segment.is_exact};
         if (of_edges_) return point;
         const VisibilitySegments::Line& of = all_.lines[segment.line];
         const LinePoint* const a =
             &of.set->points[of.line->first + segment.points[0] - of.first_point];
-        const double share = all_.share_in_space(segment, piece.shares[half % 2]);
+        const double share = all_.share_in_space(segment, piece.shares[end % 2]);
         // not from local coordinates, which may be coarser than the line's
         point.position = (1 - share) * of.set->position(a[0]) + share * of.set->position(a[1]);
         const auto t = float(share);
@@ -203,22 +203,16 @@ private:
 
     ViewLine view_line(const PieceGraph::Line& traced) const {
         const VisibilityPiece& first = pieces_[traced.pieces[0]];
-        ViewLine line{segment_of(2 * traced.pieces[0]).kind,
-                      traced.is_closed,
-                      first.is_hidden,
-                      first.is_outline,
-                      0,
-                      0,
-                      0,
-                      {}};
-        std::uint32_t last = kNone;  // the half by which the line left the piece before
+        const LineKind kind = all_.segments[first.segment].kind;
+        ViewLine line{kind, traced.is_closed, first.is_hidden, first.is_outline, 0, 0, 0, {}};
+        std::uint32_t last = kNone;  // the end by which the line left the piece before
         for (std::size_t i = 0; i < traced.pieces.size(); ++i) {
             const std::uint32_t piece = traced.pieces[i];
-            const std::uint32_t half = 2 * piece + (nodes_[2 * piece] != traced.nodes[i]);
+            const std::uint32_t end = 2 * piece + (nodes_[2 * piece] != traced.nodes[i]);
             line.jump = std::max(line.jump, pieces_[piece].gap);
-            line.points.push_back(point_at(half));
+            line.points.push_back(point_at(end));
             line.points.back().is_exact |= last != kNone && segment_of(last).is_exact;
-            last = half ^ 1;
+            last = end ^ 1;
         }
         line.jump *= float(all_.picture.mesh().size);
         line.points.push_back(point_at(last));
@@ -266,7 +260,7 @@ private:
     const std::uint32_t first_crossing_;
     std::vector<VisibilityPiece> pieces_;
     PieceGraph graph_;
-    std::vector<std::uint32_t> nodes_;  // of graph_, by half
+    std::vector<std::uint32_t> nodes_;  // of graph_, by end
 };
 
 }  // namespace

@@ -56,7 +56,7 @@ void drop_triangles(VisibilityMesh& mesh) {
     mesh.triangles = kept(mesh.triangles, [&](std::uint32_t t) { return first[t] == t; });
 }
 
-/// Calls visit(triangle) for those that pass within the precision of a straight line.
+/// Calls visit(triangle) for all within the precision of a straight line, and others in its box.
 template <class Visit>
 void visit_triangles(const VisibilityMesh& mesh, const SurfaceContacts& contacts, const Edge& line,
                      Visit visit) {
@@ -88,11 +88,6 @@ std::vector<std::uint32_t> first_at_ends(const VisibilityMesh& mesh, std::uint32
     return first;
 }
 
-template <class T, class Is>
-void drop(std::vector<T>& elements, Is is_dropped) {
-    elements.erase(std::remove_if(elements.begin(), elements.end(), is_dropped), elements.end());
-}
-
 /// Merges ends of cuts with the vertices that they coincide with, so that no edge is shorter than
 /// the precision.
 void weld_ends(std::uint32_t first_end, const VisibilityMesh& mesh, SurfaceContacts& contacts) {
@@ -100,12 +95,15 @@ void weld_ends(std::uint32_t first_end, const VisibilityMesh& mesh, SurfaceConta
     const auto welded = [&](std::uint32_t v) { return v < first_end ? v : first[v - first_end]; };
     for (SurfaceContacts::Cut& cut : contacts.cuts)
         cut.vertices = edge_between(welded(cut.vertices[0]), welded(cut.vertices[1]));
-    drop(contacts.cuts,
-         [](const SurfaceContacts::Cut& cut) { return cut.vertices[0] == cut.vertices[1]; });
+    contacts.cuts = kept(contacts.cuts, [&](std::uint32_t c) {
+        return contacts.cuts[c].vertices[0] != contacts.cuts[c].vertices[1];
+    });
     for (Contact& on : contacts.on_edges)
         on.vertex = welded(on.vertex);
-    drop(contacts.on_edges,
-         [](const Contact& on) { return on.vertex == on.edge[0] || on.vertex == on.edge[1]; });
+    contacts.on_edges = kept(contacts.on_edges, [&](std::uint32_t i) {
+        const Contact& on = contacts.on_edges[i];
+        return on.vertex != on.edge[0] && on.vertex != on.edge[1];
+    });
 }
 
 /// Finds vertices on cuts, and ends of cuts on edges that none of the cut's triangles has.

@@ -33,14 +33,14 @@ struct VisibilityPiece {
     float gap;        ///< to the surface behind it, local; infinite if there is none
 };
 
-/// The pieces of all segments that are drawn, in order, each decided by one ray through its middle.
-/// @throws Error(Cancelled)
+/// The pieces of all segments that are drawn, in order, decided by rays through their middles; only
+/// one for those of a line on the surface that no crossing parts. @throws Error(Cancelled)
 std::vector<VisibilityPiece> find_visibility_pieces(const VisibilitySegments& all,
                                                     const std::vector<PictureCrossing>& crossings,
                                                     const StageProgress& stage);
 
-/// Joins pieces to lines at common nodes: mesh edges, outlines first, so that they close; then the
-/// visible parts of lines on the surface.
+/// Joins pieces to lines at common nodes: mesh edges, outlines so that they close; then the visible
+/// parts of lines on the surface.
 std::vector<ViewLine> trace_lines(const VisibilitySegments& all,
                                   const std::vector<VisibilityPiece>& pieces,
                                   const VisibilityOptions& options);

@@ -41,15 +41,15 @@ struct ExtractionTask {
     } kinds[kStripKindCount];
 };
 
-/// A point of a strip, as LinePoint; local position.
+/// A point of a strip: what a LinePoint is made of. Local position.
 struct StripPoint {
     float position[3];
     float slope;     ///< of the segment that ends here; 0 at the first point
-    float gradient;  ///< ‖∇I‖
+    float gradient;  ///< ‖∇I‖, of apparent ridges q1
     float opacity;   ///< less than 1 where the crossing alone asks for fading
 };
 
-/// A piece of a line within a cluster, with the positive side on its left.
+/// A piece of a line within a cluster; the positive side of functions with signs is on its left.
 struct Strip {
     static constexpr std::uint32_t kNoEdge = 0xffffffffu, kClosed = 0xfffffffeu,
                                    kContinued = 0xfffffffdu;
@@ -78,14 +78,14 @@ constexpr unsigned kPointsOfBatch = 2 * kStripsOfBatch;
 /// A cluster that can hold a line, and what has to be known of it.
 struct KeptCluster {
     std::uint32_t number;
-    bool test_facing;                 ///< n·eye may be negative somewhere
+    bool test_facing;                 ///< n·eye may be negative or below a kind's bound
     bool may_hold[kMostKindsOfPass];  ///< a line of the kind, by its place in the pass
 };
 
 /// A triangle in which a function changes its sign, by places in the batch: its slot times
 /// kClusterVertices or kNumbersOfSlot, and numbers of vertices, or of triangles and edges. The
 /// crossing where the line leaves lies between vertices exit[0], where the function is negative,
-/// and exit[1]; likewise where it enters.
+/// and exit[1]; likewise where it enters. Apparent ridges have no signs: the ends are in any order.
 constexpr unsigned kNumbersOfSlot = 256;
 struct alignas(16) ActiveTriangle {
     std::uint16_t exit[2], third;  ///< and the vertex not in exit
@@ -95,8 +95,8 @@ struct alignas(16) ActiveTriangle {
 };
 
 // Arrays below with kPlaces are longer than what they can hold, so that whole vectors may be read
-// and written, and by different multiples of 64 bytes, so that their beginnings differ in cache
-// sets: the arrays of one struct are read at the same place together.
+// and written, and those of floats by an odd number of cache units, so that their beginnings differ
+// in cache sets: the arrays of one struct are read at the same place together.
 
 /// The active triangles of one function in a batch, cluster by cluster.
 struct ActiveTriangles {
@@ -135,14 +135,14 @@ struct CrossingMemory {
     static constexpr unsigned kPlaces = 2 * kBatchTriangles + 48;
     std::uint16_t ends[kPlaces][2];                    ///< places of vertices, negative first
     alignas(64) float below[kPlaces], above[kPlaces];  ///< values at the ends
-    alignas(64) float share[kPlaces];                  ///< of the positive end, 0..1
+    alignas(64) float share[kPlaces];                  ///< of the second end, 0..1
     alignas(64) float facing[kPlaces], lit[kPlaces];   ///< n·eye; n·l with the kind's source() l
     alignas(64) float position[3][kPlaces];
     alignas(64) float g[3][kPlaces];  ///< ∇I = S l; after the kind's test() d, see SegmentSlope
     alignas(64) float gradient[kPlaces], opacity[kPlaces];
     alignas(64) float concave[kPlaces];  ///< of whole lines: −l·Sl/‖t‖ of l's tangential part t
     std::uint64_t accepted[kPlaces / 64 + 1];  ///< a bit for each
-    alignas(64) float points[kPlaces][4];  ///< with ‖∇I‖ in the last place, as in StripPoint
+    alignas(64) float points[kPlaces][4];      ///< position, and StripPoint::gradient
 };
 
 /// Segments of one function in a batch.
@@ -183,8 +183,8 @@ struct SimdMemory {
 
 /// How the kinds of one of kStripPasses are found.
 struct StripFunctions {
-    /// Writes to `kept` those of the clusters [begin, end), a multiple of kFormGroup apart from the
-    /// end of all, that can hold a line, and returns their number.
+    /// Writes to `kept` those of the clusters [begin, end) that can hold a line, and returns their
+    /// number. Both are multiples of kFormGroup, or the end of all.
     std::size_t (*cull)(const ClusterStore&, const ExtractionTask&, std::size_t begin,
                         std::size_t end, KeptCluster* kept);
     /// Finds the strips of up to kBatch clusters; an output for each kind of the pass.

@@ -89,7 +89,7 @@ static inline void evaluate_apparent(const ClusterInSlot& place, const float eye
     }
 }
 
-/// Cosine, of 45°: directions at the ends of an edge that differ by more belong to no common line.
+/// Cosine, of 46°: directions at the ends of an edge that differ by more belong to no common line.
 constexpr float kLeastAgreement = 0.7f;
 
 /// For kLanes triangles, from r and D at their corners: a bit for each side on which D r changes
@@ -309,7 +309,7 @@ static inline void collect_apparent_corners(const Batch& batch, const ActiveTria
     }
 }
 
-/// The part of a kind (simd_kinds.h) that cull() asks for.
+/// The part of a kind (simd_kinds.h) that cull() and begin_batch() ask for.
 struct ApparentRidges : FacingKind {
     static constexpr LineKind kKind = LineKind::ApparentRidge;
     static constexpr unsigned kForms = kCurvatures;

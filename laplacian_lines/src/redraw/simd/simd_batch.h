@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Leaves out whole clusters by bounds of n·l, and begins the work on batches of the others.
+// Leaves out whole clusters by bounds of n·eye, and begins the work on batches of the others.
 #pragma once
 
 #include "redraw/simd/redraw_loops.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kinds of lines that are zeros of functions of the vertices. Each is a type without members:
+// The kinds of lines that are zeros of functions of the vertices, each a type of static members:
 //  - kKind; kForms: a bit for each VertexForm that it reads, and kCurvatures,
 //  - kIsFacing: the function is n·eye; else evaluate(task, place, values) writes its values at the
 //    vertices of a cluster, in the places of the forms, and nothing is wanted of triangles with
@@ -25,8 +25,6 @@ struct Contours {
     static constexpr unsigned kForms = 1u << kFacingForm;
     static constexpr SegmentSlope kSlope = SegmentSlope::Scaled;
     static constexpr bool kIsFacing = true;
-
-    static inline void evaluate(const ExtractionTask&, const ClusterInSlot&, float*) {}
 
     static inline std::uint64_t unwanted(const LineRules&, const Cluster&, unsigned) { return 0; }
 
@@ -80,7 +78,7 @@ static inline Concavity concavity_towards(const Vectors& light, const CrossingMe
 }
 
 /// Which crossings of ΔI are accepted, and their opacities: thresholds on gradient and facing,
-/// fading near contours, and concavity. `facing` is n·eye. Of whole lines facing decides, and what
+/// fading near contours, and concavity. `facings`: n·eye. Of whole lines facing decides, and what
 /// is clearly convex goes.
 static inline void test_laplacian_crossings(const LineRules& rules, const ExtractionTask& task,
                                             const float* facings, CrossingMemory& m,
@@ -164,8 +162,8 @@ struct PhoticExtrema : FacingKind {
 
     static inline const float* source(const ExtractionTask& task) { return task.light; }
 
-    /// Makes the gradients g of crossings g/‖g‖³, with which the slope of a segment becomes the
-    /// second derivative of ‖g‖ along g.
+    /// Makes the gradients g of crossings g/‖g‖³, with which −∇f·d becomes minus the second
+    /// derivative of ‖g‖ along g.
     static inline void test(const LineRules& rules, const ExtractionTask& task, const Batch& batch,
                             CrossingMemory& m, std::size_t count) {
         LaplacianLines::test(rules, task, batch, m, count);
@@ -199,8 +197,8 @@ struct RadialZeros : FacingKind {
 
     static inline const float* source(const ExtractionTask& task) { return task.eye; }
 
-    /// Makes the gradients the vectors −v/(|v|³ sin² cos), with which the slope of a segment
-    /// becomes the derivative of the radial curvature towards the eye over the cosine of the normal
+    /// Makes the gradients the vectors d = −sign v/(|v|³ sin² cos), with which −∇f·d becomes sign
+    /// times the derivative of the radial curvature towards the eye, over the cosine of the normal
     /// and v.
     static inline void test(const LineRules& rules, const ExtractionTask& task, const Batch&,
                             CrossingMemory& m, std::size_t count) {

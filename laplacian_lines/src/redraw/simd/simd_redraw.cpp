@@ -31,7 +31,7 @@ constexpr ActivePattern kActivePatterns[8] = {
 };
 
 typedef std::uint16_t Places __attribute__((vector_size(16)));  ///< ActiveTriangle
-/// Writes triangle `number` of a cluster: with its corners first, then itself, its neighbours.
+/// Writes triangle `number` of a cluster, from these bytes: corners, the number, neighbours.
 static inline void write_active(const ClusterTriangles& triangles, unsigned number,
                                 unsigned negative_corners, unsigned slot, ActiveTriangle& active) {
     constexpr std::uint16_t v = kClusterVertices, n = kNumbersOfSlot;
@@ -98,7 +98,7 @@ static inline void find_signs(const ExtractionTask& task, const ClusterInSlot& p
                               ClusterSigns& signs) {
     const unsigned groups = form_groups(place.cluster);
     BelowBound away, negative = facing;
-    if (!Kind::kIsFacing) {
+    if constexpr (!Kind::kIsFacing) {
         const float least = task.kinds[Kinds::kFirst + kind].least_scaled_facing;
         if (test_facing)
             away = least == 0 ? facing : below(in_slot(batch.facing, place), groups, least);

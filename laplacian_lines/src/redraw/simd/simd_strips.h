@@ -135,6 +135,7 @@ static inline void test_segments(const LineRules& rules, SegmentMemory& s, std::
             const Floats size = absolute(change);
             const Floats powered = Slope == SegmentSlope::Along ? size * square_root(size) : size;
             const Floats slope = powered * rules.slope_scale;
+            // of full width it cannot have more: single steep segments decide no mean
             const Floats most = at_most(slope, rules.segment_slope + rules.full_slope);
             const Ints kept = (slope >= rules.segment_slope) & (change > 0);
             if (rules.whole)  // nothing of a sliver's NaN
@@ -170,7 +171,7 @@ static inline unsigned keep_steep(const LineRules& rules, SegmentMemory& s, unsi
 
 // ---- strips ----
 
-/// Means along whole lines are known where strips end, so no strip is much longer than √h.
+/// Means along whole lines are known where strips end, so these are only some √h apart.
 constexpr unsigned kSegmentsOfPiece = 4;
 
 class StripWriter {
