@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
 
 #include "text.h"
 
@@ -30,7 +29,7 @@ Vector3d normal_of(const std::vector<Vector3d>& polygon) {
     return sum;
 }
 
-/// The polygon scaled to the size 1, relative to its first corner. Empty if its size is not finite.
+/// The polygon scaled to size 1, relative to its first corner. Empty if its size is 0 or infinite.
 std::vector<Vector3d> scaled(const std::vector<Vector3d>& polygon) {
     Vector3d sides = Vector3d::Zero();
     for (const Vector3d& p : polygon)
@@ -128,7 +127,7 @@ public:
         while (left > 3) {
             if (work < reflex_.size() + 1) return false;
             work -= reflex_.size() + 1;
-            // A polygon without an ear crosses itself.
+            // What has no ear crosses itself, or has no area.
             if (is_ear(at) || tried > left) {
                 add(before_[at], at, next_[at]);
                 at = cut_off(at);
@@ -205,7 +204,7 @@ std::uint32_t MeshBuilder::vertex(std::int64_t number) const {
     constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
     if (number < 0 || std::uint64_t(number) >= std::min(expected_, most))
         throw Defect{"a face names vertex " + std::to_string(number) + ", counted from 0, of " +
-                     std::to_string(std::max(expected_, std::uint64_t(vertex_count())))};
+                     std::to_string(expected_)};
     return std::uint32_t(number);
 }
 

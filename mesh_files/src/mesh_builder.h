@@ -15,7 +15,7 @@ class MeshBuilder {
 public:
     void add(const Eigen::Vector3d& position) { mesh_.positions.push_back(position); }
     /// Skips those with fewer than three corners.
-    /// @throws Defect for a number that no vertex has
+    /// @throws Defect for a number that no vertex can have
     void add(const std::vector<std::int64_t>& corners);
     void add_triangle(std::int64_t a, std::int64_t b, std::int64_t c);
     /// Faces may use vertices of any number below `count`, also such as follow later.

@@ -97,7 +97,7 @@ private:
             // From 1, or back from the last vertex.
             const std::int64_t vertex =
                 number < 0 ? std::int64_t(mesh_.vertex_count()) + number : number - 1;
-            if (number == 0 || vertex < 0)
+            if (number == 0 || vertex < 0 || vertex >= std::numeric_limits<std::uint32_t>::max())
                 throw Defect{"a face names vertex " + quoted(word) + " of " +
                              std::to_string(mesh_.vertex_count())};
             corners_.push_back(vertex);

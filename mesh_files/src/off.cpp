@@ -35,7 +35,7 @@ private:
         return word;
     }
 
-    /// A line with at least these words.
+    /// So many words, or, of Layout::Lines, the line that the next word begins.
     std::string_view required_line(std::size_t words, const char* what, std::uint64_t i,
                                    std::uint64_t count) {
         joined_.clear();
@@ -96,7 +96,7 @@ private:
     void read_vertex(std::uint64_t i) {
         std::string_view line = required_line(words_of_vertex_, "vertex", i, vertices_);
         mesh_.add(coordinates_in(line));
-        // A missing number would make one of the next line a coordinate.
+        // Without one of its coordinates, a number of a colour would be taken for one.
         const std::size_t more = words_in(line);
         if (i > 0 && more != more_words_)
             throw Defect{"a vertex has " + std::to_string(3 + more) + " numbers, others have " +
@@ -131,7 +131,7 @@ private:
     std::vector<std::int64_t> corners_;
 };
 
-/// Whether this layout uses all bytes.
+/// Whether this layout uses all bytes. If so, gives the mesh.
 bool is_all(std::string_view bytes, Layout layout, MeshBuilder& mesh) {
     Text text(bytes);
     MeshBuilder all;

@@ -9,8 +9,9 @@
 
 namespace {
 
+using line_drawing::kReplacement;
+
 constexpr int kMostLevels = 8;
-constexpr char32_t kReplacement = 0xfffd;
 
 class Reader {
 public:

@@ -126,6 +126,7 @@ TEST(SheetLayout, ScalesHaveNames) {
     EXPECT_EQ(parse_scale("fit"), 0);
     EXPECT_EQ(scale_text(0.5), "1:2");
     EXPECT_EQ(scale_text(20), "20:1");
+    EXPECT_EQ(kernel_text(99.6), "100");
     for (const char* word :
          {"", "2", "1:0", "-1:2", "1:2:3", "a:b", "nan:1", "1:inf", "1:1e308", "1e308:1"})
         EXPECT_THROW(parse_scale(word), laplacian_lines::Error) << word;

@@ -151,6 +151,8 @@ TEST(DamagedFiles, SayWhatAndWhere) {
               "line 5: it ends in the middle of a line");
     EXPECT_EQ(defect(Format::Obj, "v 0 0\n"), "line 1: a vertex has 2 of three coordinates");
     EXPECT_EQ(defect(Format::Obj, "v 0 0 0\nf 1 1 2\n\n"), "line 2: a face names vertex 2 of 1");
+    EXPECT_EQ(defect(Format::Obj, "v 0 0 0\nf 1 1 5000000000\n"),
+              "line 2: a face names vertex \"5000000000\" of 1");
     EXPECT_EQ(defect(Format::Off, "OFF\n1 1 0\n0 0 0\n3 0 0 1\n"),
               "line 4: a face names vertex 1, counted from 0, of 1");
     EXPECT_EQ(defect(Format::Obj, std::string("v\0 \0", 4)),

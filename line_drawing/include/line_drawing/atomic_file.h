@@ -13,7 +13,7 @@ namespace line_drawing {
 /// was, and nothing is left beside it
 void write_atomically(const std::string& file, const std::string& data);
 
-/// Checks, before the work begins, that the file can be written. Writes nothing.
+/// Checks, before the work begins, that the file can be written, and leaves nothing behind.
 /// @throws laplacian_lines::Error(InvalidOption)
 void check_writable(const std::string& file);
 

@@ -24,8 +24,8 @@ std::vector<Sheet> make_sheets(const Objects& objects, const std::vector<SheetOp
 /// Puts areas of the shape of letters in place of all texts.
 void outline_texts(Sheet& sheet);
 
-/// Options for one mesh of a contact sheet: its first view, small, without annotations; the title
-/// is its size.
+/// Options for one mesh of a contact sheet: its first view, small, without perspective and
+/// annotations; the title is its size.
 SheetOptions contact_options(const laplacian_lines::TriangleMesh& mesh,
                              const SheetOptions& options);
 

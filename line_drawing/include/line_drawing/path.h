@@ -25,7 +25,7 @@ struct Path {
 
     bool is_empty() const { return pieces.empty(); }
     void move_to(const Point& p);
-    /// Like curve_to(), adds nothing if the line ends there already.
+    /// Adds nothing if the line ends there already, as curve_to() if its handles are there, too.
     void line_to(const Point& p);
     void curve_to(const Point& first, const Point& second, const Point& end);
     void close();  ///< by a straight piece to where the line began
@@ -34,7 +34,8 @@ struct Path {
 
     Path placed(double scale, const Point& shift) const;  ///< scaled, then shifted
     Eigen::AlignedBox2d bounds() const;                   ///< exact, also of curves
-    /// Polylines that are within `tolerance` of the curves.
+    /// Polylines within `tolerance` of the curves, if 512 chords do. What a curve overshoots its
+    /// ends along its chord may be left out.
     std::vector<std::vector<Point>> flattened(double tolerance) const;
 };
 

@@ -43,7 +43,7 @@ struct SheetLayer {
 
 /// A view with its lines, or the annotations of the sheet.
 struct SheetGroup {
-    std::string key;  ///< unique: "front"
+    std::string key;  ///< unique: "front"; of the annotations "sheet"
     std::string name;
     std::vector<SheetLayer> layers;
 };

@@ -43,8 +43,8 @@ constexpr int likely_unit(double diagonal) {
     return diagonal < 10 ? kMetre : kMillimetre;
 }
 
-/// The filters' choice "Settings": the filter's own, those of the decoration, then one mixture of
-/// kinds each. Scripts hold the number.
+/// The filters' choice "Settings": the filter's own and those of the decoration, named by `own`,
+/// then one mixture of kinds each. Scripts hold the number.
 constexpr int kSettingsOfDecoration = 1;
 std::vector<const char*> settings_names(std::vector<const char*> own);
 /// Null for the first two.
@@ -85,7 +85,7 @@ const SheetOption* command_option(const std::string& command);
 /// @throws laplacian_lines::Error(InvalidOption)
 SheetChoices read_choices(const Words& words);
 
-/// Replaces {name} by the names of meshes, without extensions.
+/// Replaces {name} by these names of meshes, with commas between.
 std::string title_of(std::string title, const Words& names);
 
 /// The command's help.

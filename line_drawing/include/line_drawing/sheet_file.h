@@ -15,7 +15,7 @@ namespace line_drawing {
 struct SheetFormat {
     const char* ending;  ///< of files, in lower case
     std::string (*write)(const Sheet& sheet, double dpi);
-    bool has_any_letter;       ///< text is shown in the reader's font, not in ours
+    bool has_any_letter;       ///< up to U+FFFF in DXF: text is shown in the reader's font
     bool has_tapered_strokes;  ///< DXF readers draw even widths
 };
 extern const std::array<SheetFormat, 4> kSheetFormats;
@@ -26,9 +26,9 @@ std::string list_of_endings(const char* between, const char* last);
 /// By the extension. @throws laplacian_lines::Error(InvalidOption) if it is unknown
 const SheetFormat& format_of(const std::string& file);
 
-/// The bytes of such a file at true scale, PNG at `dpi` dots per inch; a function of the sheet
-/// alone. @throws laplacian_lines::Error(InvalidOption) as format_of(), and if the picture would be
-/// too large, with what to do instead
+/// The bytes of such a file at true scale, PNG at `dpi` dots per inch; no date, so equal sheets
+/// give equal bytes. @throws laplacian_lines::Error(InvalidOption) as format_of(), and if the
+/// picture would be too large, with what to do instead
 std::string write_sheet(const Sheet& sheet, const std::string& file, double dpi = 300);
 
 /// Checks, before the work begins, whether the format has the letters of title and source.

@@ -37,7 +37,7 @@ enum class TextStyle { Letters, Outlines };
 enum class HiddenLines { LeftOut, Dashed };
 
 enum class LineClass {
-    Outline,  ///< contours and borders before nothing: the edge of the drawing, closed lines
+    Outline,  ///< contours and borders before nothing: the edge of the drawing, mostly closed
     Contour,  ///< contours and borders before a farther part of the surface
     Edge,     ///< creases: edges of the form between two faces that are seen
     Inner,    ///< ridges, clear Laplacian lines and other lines within a face
@@ -97,7 +97,8 @@ struct SheetOptions : SheetLook {
     /// √h of the inner lines. 0: four inner pens, times 2 to 1/2 by style.detail, limited by the
     /// edges of the mesh.
     DetailSize kernel;
-    /// Standard deviation of the smoothing of normals. 0: by the mesh's roughness, at least √h / 4.
+    /// Standard deviation of the smoothing of normals. 0: by the mesh's roughness, at least √h / 4,
+    /// but none on CAD meshes.
     DetailSize smoothing;
     std::string title;   ///< empty: none
     std::string source;  ///< name of the file of the object; empty: none

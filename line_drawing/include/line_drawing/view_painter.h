@@ -39,7 +39,7 @@ struct PaintedView {
 };
 
 /// Paints objects as make_sheets() draws a view of them, for successive windows. Visibility is
-/// prepared once, extractors once per kernel and cached. One thread at a time.
+/// prepared once; extractors of the last kernels are cached. One thread at a time.
 class ViewPainter {
 public:
     /// Objects and what they refer to outlive this.

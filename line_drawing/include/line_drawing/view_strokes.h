@@ -18,8 +18,8 @@ constexpr double kUsualViewSize = 200;
 /// in space: joined, thinned out, smoothed. Points have the depth of the line that they come from,
 /// so strokes end where one line continues behind another. Weights are shares of the width of
 /// outlines, contours or inner lines; opacities are 1; points have no nodes. Kinds, strengths and
-/// slopes are those of most of the stroke. Ignores views, sections, scale, paper and annotations of
-/// the options.
+/// slopes are those of most of the stroke. Ignores views, sections, scale, unit, paper and
+/// annotations of the options.
 /// @throws laplacian_lines::Error: Cancelled; InvalidOption if the eye is inside the surface or
 /// sees nothing; InvalidMesh, EmptyMesh, FieldMismatch
 std::vector<laplacian_lines::ViewLine> strokes_of(const Objects& objects, const ViewFrame& frame,

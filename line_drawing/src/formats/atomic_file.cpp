@@ -52,11 +52,8 @@ bool may_write(const fs::path& file) {
     laplacian_lines::refuse("\"" + file + "\" cannot be written: " + reason);
 }
 
-[[noreturn]] void refuse_by_system(const std::string& file, const std::error_code& error) {
-    refuse_to_write(file, error.message());
-}
 [[noreturn]] void refuse_by_system(const std::string& file, int error = errno) {
-    refuse_by_system(file, {error, std::generic_category()});
+    refuse_to_write(file, std::generic_category().message(error));
 }
 
 /// The system would truncate the name there.
@@ -144,7 +141,7 @@ public:
         output_.close();  // Windows renames no open file
         std::error_code error;
         fs::rename(beside_, place_, error);
-        if (error) refuse_by_system(name_, error);
+        if (error) refuse_to_write(name_, error.message());
         is_complete_ = true;
     }
 
@@ -156,7 +153,7 @@ private:
     }
     [[noreturn]] void give_up(const std::error_code& error) {
         remove();
-        refuse_by_system(name_, error);
+        refuse_to_write(name_, error.message());
     }
 
     const std::string name_;
@@ -178,10 +175,7 @@ void write_atomically(const std::string& file, const std::string& data) {
 void check_writable(const std::string& file) {
     refuse_null(file);
     const fs::path place = fs::u8path(file);
-    if (!is_special(place)) {
-        const TemporaryFile could_be(file);
-        return;
-    }
+    if (!is_special(place)) return void(TemporaryFile(file));
     if (fs::is_directory(place)) refuse_to_write(file, "it is a folder");
     if (!may_write(place)) refuse_to_write(file, "you have no permission to write it");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A page as PDF: numbered objects, and a table of their places. Texts are in fonts that every
-// reader has, whose widths are here; letters that these lack are drawn by lettering.h.
+// reader has, whose widths are here; those with other letters are drawn by lettering.h.
 #include <array>
 
 #include "formats/sheet_writers.h"
@@ -81,7 +81,7 @@ constexpr double kWidthOfRoot = 0.549;
 
 /// 0 if there is none.
 char32_t code_of(char32_t letter) {
-    const std::size_t place = letter == 0xfffd ? kFrom0x80.npos : kFrom0x80.find(letter);
+    const std::size_t place = letter == kReplacement ? kFrom0x80.npos : kFrom0x80.find(letter);
     if (place != kFrom0x80.npos) return char32_t(0x80 + place);
     const bool is_same = letter >= kFirstCode && letter < 0x100 && (letter < 0x7f || letter > 0x9f);
     return is_same ? letter : 0;

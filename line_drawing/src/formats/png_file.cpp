@@ -67,7 +67,7 @@ std::string write_png(const Sheet& sheet, double dpi) {
     const double width = std::ceil(sheet.size.x() * scale - kRounding),
                  height = std::ceil(sheet.size.y() * scale - kRounding);
     if (width > kMostPixels || height > kMostPixels)
-        refuse("A picture of " + in_digits(width) + " x " + in_digits(height) +
+        refuse("A picture of " + in_decimals(width, 0) + " x " + in_decimals(height, 0) +
                " pixels is too large; take fewer dots per inch.");
     return in_png(paint_groups(sheet.groups, {int(width), int(height)}, scale),
                   std::lround(scale * 1000), sheet.provenance);

@@ -20,7 +20,7 @@ std::string write_pdf(const Sheet& sheet, double dpi);
 /// 256 grays, black on white. @throws laplacian_lines::Error(InvalidOption) if it would be too
 /// large
 std::string write_png(const Sheet& sheet, double dpi);
-/// R12, millimetres, y up: polylines, a layer per class of lines, filled areas by their outlines.
+/// R12, millimetres, y up: polylines, a layer per view and class of lines, areas by their outlines.
 std::string write_dxf(const Sheet& sheet, double dpi);
 
 }  // namespace line_drawing

@@ -9,7 +9,8 @@
 namespace line_drawing {
 namespace {
 
-/// Relative path commands, rounded to thousandths of a millimetre without accumulating errors.
+/// Path commands, relative after each M, rounded to thousandths of a millimetre without
+/// accumulating errors.
 class PathData {
 public:
     std::string of(const Path& path) {

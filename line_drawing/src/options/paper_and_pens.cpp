@@ -18,8 +18,8 @@ constexpr Paper kPapers[] = {{"a5", 148, 210}, {"a4", 210, 297}, {"a3", 297, 420
 
 /// Pens are in steps of √2, as paper is.
 constexpr std::array<double, 10> kPenSeries = {0.1, 0.13, 0.18, 0.25, 0.35, 0.5, 0.7, 1, 1.4, 2};
-// mm on paper: smaller drawings get pens one or two steps finer.
-constexpr double kFullSize = 40, kHalfSize = 28;
+// mm on paper: drawings smaller than these get pens one or two steps finer, in proportion.
+constexpr double kFullSize = 40, kSmallSize = 28;
 
 }  // namespace
 
@@ -61,7 +61,7 @@ Pens finer(Pens pens, std::ptrdiff_t steps) {
 }
 
 Pens pens_for(double size, const Pens& pens) {
-    return finer(pens, size >= kFullSize ? 0 : size >= kHalfSize ? 1 : 2);
+    return finer(pens, size >= kFullSize ? 0 : size >= kSmallSize ? 1 : 2);
 }
 
 }  // namespace line_drawing

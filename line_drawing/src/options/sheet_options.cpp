@@ -104,7 +104,7 @@ std::string size_text(const Eigen::Vector3d& mm, const char* times) {
 }
 
 std::string kernel_text(double mm) {
-    return mm < 100 ? in_digits(mm, 2) : in_decimals(mm, 0);
+    return mm < 99.5 ? in_digits(mm, 2) : in_decimals(mm, 0);  // not 1e+02
 }
 
 std::string SheetOption::command() const {

@@ -10,7 +10,6 @@ namespace line_drawing {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\n\v\f\r";
-constexpr char32_t kReplacement = 0xfffd;
 
 template <class Change>
 std::string changed(std::string text, char first, char last, Change change) {

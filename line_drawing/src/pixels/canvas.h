@@ -11,9 +11,9 @@ namespace line_drawing {
 /// In pixels, x right and y down, closed.
 using Polygon = std::vector<Path::Point>;
 
-/// A gray picture, white at first. A pixel is as dark as the share of it that is covered: exact
-/// along x, in 16 scan lines along y. Uses basic operations only, so that all machines give the
-/// same bits.
+/// A gray picture, white at first. A pixel is as dark as the share of it that is covered: to a
+/// 256th along x, in 16 scan lines along y. Uses basic operations only, so that all machines give
+/// the same bits.
 class Canvas {
 public:
     /// @throws std::bad_alloc

@@ -19,7 +19,7 @@ using laplacian_lines::report;
 
 // Progress at which visibility, and the lines within faces, are prepared.
 constexpr double kSightShare = 0.3, kLinesShare = 0.7;
-constexpr double kRoomAround = 12;                              // mm
+constexpr double kRoomAround = 12;  // mm: twice the largest constant of strokes/, 24 inner pens
 constexpr std::size_t kMostKeptBytes = std::size_t(128) << 20;  // of extractors for other kernels
 
 /// In pixels, x right, y down.
@@ -30,8 +30,8 @@ Eigen::Vector2d pixel_of(const Eigen::Vector3d& point, const WindowView& view) {
         .cwiseProduct(view.size.cast<double>());
 }
 
-/// The placement of a view on a sheet whose upper left corner is that of the window, from a visible
-/// point and one right of it.
+/// The placement of a view on a sheet whose upper left corner is that of the window, from a point
+/// before the eye and one right of it.
 Placement placement_of(const WindowView& view, const Eigen::Vector3d& middle, double mm_per_unit,
                        double reach) {
     const Eigen::Vector3d seen =

@@ -20,7 +20,8 @@ struct HalfSpace {
     HalfSpace opposite() const { return {-normal, -offset}; }
 };
 
-/// The parts inside, which end on the plane. Closed lines inside stay closed.
+/// The parts inside, cut on the plane. Closed lines inside stay closed; others, but for a Cut, are
+/// also cut where they begin.
 laplacian_lines::LineSet clip(const laplacian_lines::LineSet& lines, const HalfSpace& inside);
 std::vector<laplacian_lines::ViewLine> clip(const std::vector<laplacian_lines::ViewLine>& lines,
                                             const HalfSpace& inside);

@@ -18,9 +18,9 @@ public:
     explicit CuttableMesh(const laplacian_lines::TriangleMesh& mesh)
         : positions_(mesh.positions), triangles_(conforming_triangles(mesh)) {}
 
-    /// The intersection with the plane at `height` along a mesh axis, in mesh coordinates and in
-    /// the order of the triangles: closed lines for closed surfaces, even if triangles share
-    /// positions only, not vertices.
+    /// The intersection with the plane at `height` along a mesh axis, in mesh coordinates, open
+    /// lines first: closed lines for closed surfaces, even if triangles share positions only, not
+    /// vertices.
     std::vector<Cut> cut(int axis, double height) const;
 
 private:

@@ -12,8 +12,6 @@ namespace {
 
 using Point = Path::Point;
 
-constexpr char32_t kNoCharacter = 0xfffd;
-
 /// Letters that the font lacks, and their substitutes: diameter and empty set, the hyphen that does
 /// not break, and the ratio.
 constexpr std::u32string_view kSubstituted = U"\u2300\u2205\u2011\u2236";
@@ -35,9 +33,9 @@ public:
         return stbtt_FindGlyphIndex(&font_, int(kSubstitutes[place]));
     }
 
-    /// A box if the font has neither the letter nor a substitute.
+    /// A box if the font has neither the letter nor a substitute; ? for kReplacement.
     int drawn_glyph_of(char32_t letter) const {
-        const int glyph = glyph_of(letter == kNoCharacter ? U'?' : letter);
+        const int glyph = glyph_of(letter == kReplacement ? U'?' : letter);
         return glyph ? glyph : glyph_of(U'\u25a1');
     }
 
@@ -106,7 +104,7 @@ SheetPath outlines_of(const SheetText& text) {
 
 std::string missing_letter(const std::string& text) {
     for (const char32_t letter : letters_of(text))
-        if (letter != kNoCharacter && font().glyph_of(letter) == 0) return in_utf8({&letter, 1});
+        if (letter != kReplacement && font().glyph_of(letter) == 0) return in_utf8({&letter, 1});
     return {};
 }
 

@@ -12,16 +12,13 @@ constexpr double kRounding = 1e-12;              // of a coordinate, mm or font 
 constexpr double kQuarterHandle = 0.5522847498;  // handle of a quarter of the unit circle
 constexpr int kMostHalvings = 9;                 // a curve is then 512 chords, whatever its size
 
-double manhattan(const Point& p) {
-    return p.lpNorm<1>();
-}
-
-/// Whether both handles together are nearer than `tolerance` to the line from begin to end.
+/// Whether the distances of both handles from the line through begin and end add up to less than
+/// `tolerance`, on slanted lines up to √2 times that: the curve is at most 4/9 of the sum away.
 bool is_flat(const Point& begin, const Path::Piece& curve, double tolerance) {
     const Point span = curve.end - begin, first = begin - curve.first,
                 second = begin - curve.second;
-    const double length = manhattan(span);
-    if (length <= 2 * tolerance) return manhattan(first) + manhattan(second) < tolerance;
+    const double length = span.lpNorm<1>();
+    if (length <= 2 * tolerance) return first.lpNorm<1>() + second.lpNorm<1>() < tolerance;
     const auto across = [&](const Point& p) {
         return std::abs(span.x() * p.y() - span.y() * p.x());
     };
@@ -43,8 +40,8 @@ double coordinate_at(double t, double a, double b, double c, double d) {
     return s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d;
 }
 
-/// Extends a range to the extrema of a coordinate of a curve, where its derivative, square t² +
-/// 2 half t + rest, is 0. Of the two roots neither is a difference of nearly equal numbers.
+/// Extends a range to the extrema of a coordinate of a curve, where its derivative, 3 (square t² +
+/// 2 half t + rest), is 0. Of the two roots neither is a difference of nearly equal numbers.
 void extend_to_turns(const Point& begin, const Path::Piece& curve, int axis,
                      Eigen::AlignedBox2d& box) {
     const double a = begin[axis], b = curve.first[axis], c = curve.second[axis],

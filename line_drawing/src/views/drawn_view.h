@@ -14,7 +14,7 @@
 namespace line_drawing {
 
 /// From mesh coordinates to a picture, x right, y up, with `middle` at (0, 0), where perspective
-/// has the scale 1.
+/// has the scale 1. If that is behind the eye, the point as far before it is.
 class Projection {
 public:
     /// The frame outlives this.
@@ -26,8 +26,8 @@ public:
     /// The point of space at a depth.
     Eigen::Vector3d unproject(const Eigen::Vector2d& picture, double depth) const;
 
-    /// Bounds of the triangles in the picture; in perspective at least of the field of view, empty
-    /// if all is behind the eye.
+    /// Bounds of the triangles in the picture; in perspective of what is in the field of view, or
+    /// more, and empty if all is behind the eye.
     Eigen::AlignedBox2d bounds_of(const laplacian_lines::TriangleMesh& mesh) const;
 
     /// Clips lines to the field of view in perspective.
@@ -82,7 +82,7 @@ Eigen::AlignedBox2d box_of(const DrawnLine& line);
 double length_of(const std::vector<DrawnPoint>& points, std::size_t begin = 0,
                  std::size_t end = std::size_t(-1));
 
-/// Direction out of a line's end, from the first point `reach` away from it.
+/// Direction out of a line's end, from the first point `reach` away from it, or the other end.
 Eigen::Vector2d outwards_at(const std::vector<DrawnPoint>& points, bool is_last, double reach);
 
 /// Moves an end by `shift`, and the points within `reach` along the line by less and less.

@@ -18,11 +18,11 @@ std::optional<Format> format_of(std::string_view ending);
 std::vector<std::string> endings();
 
 struct MeshInFile {
-    /// Vertices as in the file, three per triangle in STL. Polygons are triangulated inside.
+    /// Vertices as in the file, in STL each facet's own. Polygons are triangulated inside.
     laplacian_lines::TriangleMesh mesh;
-    /// Where and why the file is malformed: "line 12: a vertex has two coordinates". The mesh has
-    /// the part before that, or all if only corners without finite coordinates are wrong. Empty:
-    /// the file is valid.
+    /// Where and why the file is malformed: "line 12: a vertex has 2 of three coordinates". The
+    /// mesh has at least the part before that, all if corners without finite coordinates are what
+    /// is wrong. Empty: the file is valid.
     std::string defect;
     /// Parts of a valid file that were skipped: "faces skipped that have fewer than three corners:
     /// 2".
