@@ -171,6 +171,8 @@ private:
             line_drawing::outline_texts(sheet);
         sheet.provenance = line_drawing::provenance_text(meshes, commands_.words);
         line_drawing::write_atomically(file, write_sheet(sheet, file, commands_.choices.dpi));
+        for (const std::string& remark : sheet.remarks)
+            say(stderr, file + ": " + remark);
         say(stdout, file + ": " + std::to_string(entries.size()) +
                         (entries.size() == 1 ? " object" : " objects"));
     }

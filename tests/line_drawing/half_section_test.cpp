@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "laplacian_lines/error.h"
+#include "sections/half_section.h"
 #include "sheet_helpers.h"
 
 using namespace line_drawing;
@@ -82,6 +83,8 @@ TEST(HalfSection, IsUprightWhateverItsTriangles) {
         const Sheet sheet = sheet_helpers::sheet_of(can(sides), vessel_options());
         EXPECT_EQ(sheet.remarks.at(0).find("Vessel: rim 100 %, axis off by 0.0"), 0u)
             << sides << ' ' << sheet.remarks[0];
+        const TriangleMesh tiny = moved(can(sides), {0, 0, 0}, 1e-9);
+        EXPECT_NO_THROW(HalfSection(tiny, vessel_options().views[0]).expect_vessel());
     }
 }
 

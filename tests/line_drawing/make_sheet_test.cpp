@@ -9,6 +9,7 @@
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/refinement.h"
 #include "line_drawing/sheet_file.h"
+#include "sheet/sheet_annotations.h"
 #include "sheet_helpers.h"
 #include "with_threads.h"
 
@@ -209,6 +210,13 @@ TEST(ContactSheets, HoldAllViewsWithoutOverlapOnOnePage) {
         }
     }
     EXPECT_TRUE(make_contact_sheet({}, "").groups.empty());
+}
+
+TEST(ContactSheets, CutLongTitles) {
+    const Sheet sheet = make_contact_sheet(cubes(1), std::string(500, 'W'));
+    EXPECT_EQ(sheet.remarks.size(), 1u);
+    for (const SheetText& text : sheet.groups.back().layers.at(0).texts)
+        EXPECT_LT(width_in_any_font(text.text, text.height), sheet.size.x() - 20);
 }
 
 TEST(ContactSheets, HaveTheWeightsAndDashesOfTheOptions) {

@@ -159,6 +159,14 @@ TEST(SectionMarks, StandWhereThePlaneIsBesideTheSurfaceAndOnThePaper) {
     }
 }
 
+TEST(SectionMarks, AreNearTheSurfaceOfATurnedView) {
+    const TriangleMesh rod = test_meshes::stacked({{50, 10, 0}, {50, 10, 20}});
+    const SheetGroup view = sheet_of(rod, with_sections("30,90", "x=0.3")).groups.at(0);
+    const QRectF near = surface_of(view).adjusted(-10, -10, 10, 10);
+    for (const SheetPath& path : layer_of(view, "marks").paths)
+        EXPECT_TRUE(near.contains(painter_path(path.path).boundingRect()));
+}
+
 TEST(SectionMarks, GiveSectionsTheirNames) {
     const Sheet marked = sheet_of(cube_of100(), with_sections("front", "x=0.3 z=0.6"));
     EXPECT_EQ(marked.groups[1].name, "A–A");

@@ -219,7 +219,10 @@ TEST(PrintedSize, AGivenKernelIsUsedAsItIs) {
     const auto mesh = bumpy_sphere();
     SheetOptions options = options_at(0.5);
     options.kernel = parse_detail_size("2.5mm");
-    EXPECT_NEAR(kernel_of(draw(mesh, options)), 2.5, 0.03);
+    SheetOptions smaller = options;
+    smaller.scale = 0.25;
+    for (const Sheet& sheet : make_sheets({{mesh}}, {options, smaller}))
+        EXPECT_NEAR(kernel_of(sheet), 2.5, 0.03);
     options.kernel = parse_detail_size("2%");
     const double diagonal = laplacian_lines::measure_scale(mesh, {}).diagonal;
     EXPECT_NEAR(kernel_of(draw(mesh, options)), 0.02 * diagonal * 0.5, 0.05);

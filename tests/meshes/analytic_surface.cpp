@@ -128,33 +128,39 @@ Eigen::Vector3d value(const JetVector& a) {
     return {a[0].value(), a[1].value(), a[2].value()};
 }
 
-/// First fundamental form.
-struct Metric {
-    Jet e, f, g, root;  // root = √(eg − f²)
+/// With the first fundamental form E, F, G and √(EG − F²).
+struct Derivatives {
+    explicit Derivatives(const Chart& chart)
+        : r(chart(Jet::u(), Jet::v())), ru(derivative_u(r)), rv(derivative_v(r)) {
+        const JetVector area = cross(ru, rv);
+        root = sqrt(dot(area, area));
+        n = scaled(area, reciprocal(root));
+    }
+    JetVector r, ru, rv, n;
+    Jet e = dot(ru, ru), f = dot(ru, rv), g = dot(rv, rv), root;
 };
 
-/// Δf = 1/√g (∂u((G f_u − F f_v)/√g) + ∂v((E f_v − F f_u)/√g)).
-double laplace_beltrami(const Metric& m, const Jet& f) {
-    const Jet fu = f.derivative_u(), fv = f.derivative_v();
-    const Jet flux_u = (m.g * fu - m.f * fv) / m.root, flux_v = (m.e * fv - m.f * fu) / m.root;
-    return ((flux_u.derivative_u() + flux_v.derivative_v()) / m.root).value();
+/// Δx = 1/√ (∂u((G x_u − F x_v)/√) + ∂v((E x_v − F x_u)/√)), √ for √(EG − F²).
+double laplace_beltrami(const Derivatives& d, const Jet& x) {
+    const Jet xu = x.derivative_u(), xv = x.derivative_v();
+    const Jet flux_u = (d.g * xu - d.f * xv) / d.root, flux_v = (d.e * xv - d.f * xu) / d.root;
+    return ((flux_u.derivative_u() + flux_v.derivative_v()) / d.root).value();
 }
 
 /// dn: maps r_u to n_u, r_v to n_v and n to 0.
-Eigen::Matrix3d shape_operator(const JetVector& ru, const JetVector& rv, const JetVector& n) {
+Eigen::Matrix3d shape_operator(const Derivatives& d) {
     Eigen::Matrix3d from, to;
-    from << value(ru), value(rv), value(n);
-    to << value(derivative_u(n)), value(derivative_v(n)), Eigen::Vector3d::Zero();
+    from << value(d.ru), value(d.rv), value(d.n);
+    to << value(derivative_u(d.n)), value(derivative_v(d.n)), Eigen::Vector3d::Zero();
     return to * from.inverse();
 }
 
 /// ∇S of all entries in space, made tangential.
-std::array<Eigen::Matrix3d, 3> shape_derivative(const JetVector& ru, const JetVector& rv,
-                                                const JetVector& n, const Jet& root) {
+std::array<Eigen::Matrix3d, 3> shape_derivative(const Derivatives& d) {
     // Gradients of u and v along the surface.
-    const JetVector gu = scaled(cross(rv, n), reciprocal(root)),
-                    gv = scaled(cross(n, ru), reciprocal(root));
-    const JetVector nu = derivative_u(n), nv = derivative_v(n);
+    const JetVector gu = scaled(cross(d.rv, d.n), reciprocal(d.root)),
+                    gv = scaled(cross(d.n, d.ru), reciprocal(d.root));
+    const JetVector nu = derivative_u(d.n), nv = derivative_v(d.n);
     Eigen::Matrix3d by_u, by_v;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
@@ -162,30 +168,12 @@ std::array<Eigen::Matrix3d, 3> shape_derivative(const JetVector& ru, const JetVe
             by_u(i, j) = entry.derivative_u().value();
             by_v(i, j) = entry.derivative_v().value();
         }
-    const Eigen::Vector3d normal = value(n);
+    const Eigen::Vector3d normal = value(d.n);
     const Eigen::Matrix3d plane = Eigen::Matrix3d::Identity() - normal * normal.transpose();
     std::array<Eigen::Matrix3d, 3> result;
     for (int i = 0; i < 3; ++i)
         result[i] = plane * (by_u * value(gu)[i] + by_v * value(gv)[i]) * plane;
     return result;
-}
-
-struct Derivatives {
-    explicit Derivatives(const Chart& chart)
-        : r(chart(Jet::u(), Jet::v())), ru(derivative_u(r)), rv(derivative_v(r)) {
-        const JetVector area = cross(ru, rv);
-        metric = {dot(ru, ru), dot(ru, rv), dot(rv, rv), sqrt(dot(area, area))};
-        n = scaled(area, reciprocal(metric.root));
-    }
-    JetVector r, ru, rv, n;
-    Metric metric;
-};
-
-Chart torus_chart(const Torus& torus, double u, double v) {
-    return [=](const Jet& du, const Jet& dv) -> JetVector {
-        const Jet ring = torus.large + torus.small * cos(v + dv);
-        return {ring * cos(u + du), ring * sin(u + du), torus.small * sin(v + dv)};
-    };
 }
 
 /// By the chart's derivatives alone: Δn is the Laplace-Beltrami operator on each component of the
@@ -196,9 +184,9 @@ SurfacePoint surface_point(const Chart& chart) {
     point.position = value(d.r);
     point.normal = value(d.n);
     for (int k = 0; k < 3; ++k)
-        point.laplacian_normal[k] = laplace_beltrami(d.metric, d.n[k]);
-    point.shape_operator = shape_operator(d.ru, d.rv, d.n);
-    point.shape_derivative = shape_derivative(d.ru, d.rv, d.n, d.metric.root);
+        point.laplacian_normal[k] = laplace_beltrami(d, d.n[k]);
+    point.shape_operator = shape_operator(d);
+    point.shape_derivative = shape_derivative(d);
     return point;
 }
 
@@ -229,7 +217,10 @@ SurfacePoint bumpy_point(const Eigen::Vector3d& direction) {
 }
 
 SurfacePoint torus_point(const Torus& torus, double u, double v) {
-    return surface_point(torus_chart(torus, u, v));
+    return surface_point([&](const Jet& du, const Jet& dv) -> JetVector {
+        const Jet ring = torus.large + torus.small * cos(v + dv);
+        return {ring * cos(u + du), ring * sin(u + du), torus.small * sin(v + dv)};
+    });
 }
 
 SurfacePoint closed_form_torus_point(const Torus& torus, double u, double v) {

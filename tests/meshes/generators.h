@@ -129,7 +129,7 @@ TriangleMesh terraced_head(int size);
 
 struct VesselShape {
     int rings = 600, columns = 720;
-    double relief = 1;  ///< height of grooves, wave and traces of throwing; 0: smooth
+    double relief = 1;  ///< factor of grooves, wave and traces of throwing; 0: smooth
 };
 
 /// From the underside's middle around the wall to the inside's middle: (radius, height), mm.

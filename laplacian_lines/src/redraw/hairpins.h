@@ -11,7 +11,8 @@ namespace laplacian_lines {
 /// Where a part of a whole line turns back sharply. Keeps its memory for the next line.
 class Hairpins {
 public:
-    /// Returns whether there is any. `kernel_size`: √h, in the unit of the points.
+    /// Returns whether there is any; none is found near ends, nor where a closed line begins.
+    /// `kernel_size`: √h, in the unit of the points.
     bool find(const LinePoint* line, std::uint32_t count, float kernel_size);
 
     /// How much of the line goes on at each point: 0 at a hairpin, 1 away from any.

@@ -29,6 +29,7 @@ struct Path {
     void line_to(const Point& p);
     void curve_to(const Point& first, const Point& second, const Point& end);
     void close();  ///< by a straight piece to where the line began
+    void add_polygon(const std::vector<Point>& corners);  ///< closed; one corner or more
     void add_rectangle(const Point& corner, double width, double height);
     void add_circle(const Point& center, double radius);
 

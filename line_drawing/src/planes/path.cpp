@@ -82,12 +82,16 @@ void Path::close() {
     line_to(Point(begin->end));
 }
 
-void Path::add_rectangle(const Point& corner, double width, double height) {
-    move_to(corner);
-    line_to(corner + Point(width, 0));
-    line_to(corner + Point(width, height));
-    line_to(corner + Point(0, height));
+void Path::add_polygon(const std::vector<Point>& corners) {
+    move_to(corners[0]);
+    for (const Point& corner : corners)
+        line_to(corner);
     close();
+}
+
+void Path::add_rectangle(const Point& corner, double width, double height) {
+    add_polygon({corner, corner + Point(width, 0), corner + Point(width, height),
+                 corner + Point(0, height)});
 }
 
 void Path::add_circle(const Point& center, double radius) {

@@ -48,8 +48,7 @@ std::vector<Facet> facets_of(const TriangleMesh& mesh, int up) {
         const Vector3d &a = mesh.positions.at(t[0]), &b = mesh.positions.at(t[1]),
                        &c = mesh.positions.at(t[2]);
         const Vector3d normal = (b - a).cross(c - a), middle = (a + b + c) / 3;
-        if (normal.allFinite() && !normal.isZero())
-            facets.push_back({{middle[x], middle[y]}, {-normal[y], normal[x]}});
+        if (normal.allFinite()) facets.push_back({{middle[x], middle[y]}, {-normal[y], normal[x]}});
     }
     return facets;
 }
@@ -123,14 +122,14 @@ Vector3d direction_of_axis(const TriangleMesh& mesh, const Vector3d& middle, dou
 
 /// Share of the directions around the axis with surface near its lower or upper end along `up`.
 double share_of_rim(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, int up, bool looks_up,
-                    const Vector2d& axis) {
+                    const Vector3d& axis) {
     const int x = (up + 1) % 3, y = (up + 2) % 3;
     const double reach = kRimShare * box.sizes()[up];
     std::array<bool, kDirections> is_there{};
     const auto add = [&](const Vector3d& p) {
         const double depth = looks_up ? box.max()[up] - p[up] : p[up] - box.min()[up];
-        if (!(depth <= reach)) return;
-        const double angle = std::atan2(p[y] - axis.y(), p[x] - axis.x());
+        if (!p.allFinite() || depth > reach) return;
+        const double angle = std::atan2(p[y] - axis[y], p[x] - axis[x]);
         is_there[std::size_t(std::floor((angle / kTurn + 0.5) * kDirections)) % kDirections] = true;
     };
     for (const Triangle& t : mesh.triangles)
@@ -143,13 +142,9 @@ double share_of_rim(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, in
     return double(std::count(is_there.begin(), is_there.end(), true)) / kDirections;
 }
 
-/// An axis along one of the mesh, seen along it.
-struct SeenAxis {
-    Vector2d point;
-    double round;  // as of VesselAxis
-};
-/// Through the place that normals meet, or else the middle of the bounding box.
-SeenAxis seen_axis(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, int up) {
+/// An axis along one of the mesh, through the place that normals meet, or else the middle of the
+/// bounding box: its point and `round` alone.
+VesselAxis seen_axis(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, int up) {
     const int x = (up + 1) % 3, y = (up + 2) % 3;
     const std::vector<Facet> facets = facets_of(mesh, up);
     const Vector2d middle(box.center()[x], box.center()[y]),
@@ -157,7 +152,10 @@ SeenAxis seen_axis(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, int
     const bool is_inside = found.x() > box.min()[x] && found.x() < box.max()[x] &&
                            found.y() > box.min()[y] && found.y() < box.max()[y];
     const Vector2d& point = is_inside ? found : middle;
-    return {point, share_that_meets(facets, point)};
+    VesselAxis axis;
+    axis.point[x] = point.x(), axis.point[y] = point.y();
+    axis.round = share_that_meets(facets, point);
+    return axis;
 }
 
 /// The axis of the mesh about which most is round, as of a vessel, if it is not `up`, about which
@@ -177,19 +175,15 @@ std::optional<int> rounder_axis(const TriangleMesh& mesh, const Eigen::AlignedBo
 /// upside down. By the linear complex of normals, H. Pottmann, T. Randrup, "Rotational and helical
 /// surface approximation for reverse engineering", Computing 60 (1998), with iterated weights.
 VesselAxis find_axis(const TriangleMesh& mesh, int up, bool looks_up) {
-    const int x = (up + 1) % 3, y = (up + 2) % 3;
     const Eigen::AlignedBox3d box = bounds_of(mesh);
-    const auto [seen, round] = seen_axis(mesh, box, up);
-    VesselAxis axis;
-    axis.round = round;
-    axis.point[x] = seen.x(), axis.point[y] = seen.y();
+    VesselAxis axis = seen_axis(mesh, box, up);
     const Vector3d own = direction_of_axis(mesh, box.center(), box.sizes().maxCoeff());
     axis.lean = std::acos(std::min(1.0, std::abs(own[up]))) * 360 / kTurn;
     if (axis.lean > kOtherAxis) {
         axis.other = rounder_axis(mesh, box, up, axis.round);
-        if (!axis.other) axis.lean.reset();  // upright is roundest: flutes misled the line in space
+        if (!axis.other) axis.lean.reset();  // flutes misled the line in space
     }
-    axis.rim = share_of_rim(mesh, box, up, looks_up, seen);
+    axis.rim = share_of_rim(mesh, box, up, looks_up, axis.point);
     return axis;
 }
 
@@ -210,7 +204,7 @@ DrawnLine line_of(const Vector2d& begin, const Vector2d& end) {
     return {LineClass::Inner, false, {{begin, 1}, {end, 1}}};
 }
 
-/// The outermost point near the height of the highest (`sign` 1) or lowest (−1) one.
+/// The outermost points near the height of the highest (`sign` 1) or lowest (−1) one.
 struct Level {
     Vector2d left, right;
 };
@@ -265,20 +259,19 @@ void HalfSection::draw(DrawnView& drawn, const std::vector<CuttableMesh>& all,
     std::vector<CutObject> objects;
     for (const CuttableMesh& object : all) {
         CutObject parts;
-        std::vector<Cut> cut_lines;
-        for (Cut& cut : object.cut(across, axis_.point[across])) {
+        const std::vector<Cut> cuts = object.cut(across, axis_.point[across]);
+        for (const Cut& cut : cuts) {
             const std::vector<Vector2d> line = flat(cut);
             points.insert(points.end(), line.begin(), line.end());
             const Cut loop = cut.front() == cut.back() ? clip_loop(cut, left()) : Cut();
             if (!loop.empty()) parts.wall.push_back(flat(loop));
-            cut_lines.push_back(std::move(cut));
         }
         drawn.lines = without_parts_in(WallArea(parts.wall), drawn.lines);
-        for (const Cut& cut : clip(cut_lines, left()))
+        for (const Cut& cut : clip(cuts, left()))
             parts.lines.push_back(project(cut, projection, unit));
         objects.push_back(std::move(parts));
     }
-    add_walls(objects, drawn);
+    add_walls(std::move(objects), drawn);
     if (points.empty()) return;
     const double height = drawn.bounds.sizes().y(), at = unit * right_.depth(middle);
     const Level rim = level_of(points, 1, kLevelShare * height),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sections/section_marks.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace line_drawing {
@@ -25,18 +26,18 @@ SheetPath arrow_head(const Vector2d& tip, const Vector2d& direction) {
     const Vector2d across(-direction.y(), direction.x()), base = tip - kHeadLength * direction;
     SheetPath head;
     head.path.fill_rule = FillRule::NonZero;
-    head.path.move_to(tip);
-    head.path.line_to(base + kHeadWidth / 2 * across);
-    head.path.line_to(base - kHeadWidth / 2 * across);
-    head.path.close();
+    head.path.add_polygon({tip, base + kHeadWidth / 2 * across, base - kHeadWidth / 2 * across});
     return head;
 }
 
-/// From a point to the border of a rectangle along `direction`, an axis or its opposite.
+/// From a point in a rectangle to its border along the unit vector `direction`.
 double reach_of(const Eigen::AlignedBox2d& place, const Vector2d& from, const Vector2d& direction) {
-    const Vector2d low = direction.cwiseProduct(place.min() - from),
-                   high = direction.cwiseProduct(place.max() - from);
-    return std::max(0., low.cwiseMax(high).sum());
+    double reach = INFINITY;
+    for (const int axis : {0, 1}) {
+        const double border = direction[axis] > 0 ? place.max()[axis] : place.min()[axis];
+        if (direction[axis] != 0) reach = std::min(reach, (border - from[axis]) / direction[axis]);
+    }
+    return std::max(0., reach);
 }
 
 /// From a view, whose y points up.

@@ -17,7 +17,7 @@ inline double position_on_axis(const Section& section, const Eigen::AlignedBox3d
 std::vector<SectionMark> marks_of(const ViewFrame& frame, const SheetOptions& options,
                                   const Eigen::AlignedBox3d& box);
 
-/// The space for marks beside and below the surface, mm on the sheet.
+/// The space for marks to either side of the surface, and as much above as below, mm on the sheet.
 Eigen::Vector2d room_of_marks(const DrawnView& view);
 
 /// Draws the ends of each cutting plane's line, with an arrow in the viewing direction and a letter

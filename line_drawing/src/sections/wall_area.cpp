@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cut walls: the edges of their loops in 256 rows, so that a line is tested against few of them.
-// Walls of two objects that overlap by a hundredth count as one, whose inner lines are dropped.
+// Walls of two objects that overlap by more than a hundredth count as one, without lines inside it.
 #include "sections/wall_area.h"
 
 #include <algorithm>
@@ -76,21 +76,25 @@ double shared_area(const Wall& a, const Wall& b, const Eigen::AlignedBox2d& box)
     return area;
 }
 
-bool overlap(const Wall& a, const Wall& b) {
-    const Eigen::AlignedBox2d box_a = box_of(a), box_b = box_of(b);
-    const Eigen::AlignedBox2d both = box_a.intersection(box_b);
-    if (both.isEmpty() || both.volume() == 0) return false;
-    const double smaller = std::min(shared_area(a, a, box_a), shared_area(b, b, box_b));
-    return shared_area(a, b, both) > kLeastOverlap * smaller;
-}
-
 /// For each object, the first one whose wall merges with its own.
 std::vector<std::size_t> groups_of(const std::vector<CutObject>& objects) {
     std::vector<std::size_t> groups;
+    std::vector<double> areas(objects.size());  // 0: not measured yet
+    const auto area_of = [&](std::size_t i) {
+        const Wall& wall = objects[i].wall;
+        if (areas[i] == 0) areas[i] = shared_area(wall, wall, box_of(wall));
+        return areas[i];
+    };
+    const auto overlap = [&](std::size_t i, std::size_t k) {
+        const Wall &a = objects[i].wall, &b = objects[k].wall;
+        const Eigen::AlignedBox2d both = box_of(a).intersection(box_of(b));
+        if (both.isEmpty() || both.volume() == 0) return false;
+        return shared_area(a, b, both) > kLeastOverlap * std::min(area_of(i), area_of(k));
+    };
     for (std::size_t i = 0; i < objects.size(); ++i) {
         groups.push_back(i);
         for (std::size_t k = 0; k < i; ++k) {
-            if (groups[k] == groups[i] || !overlap(objects[i].wall, objects[k].wall)) continue;
+            if (groups[k] == groups[i] || !overlap(i, k)) continue;
             const auto [first, second] = std::minmax({groups[i], groups[k]});
             std::replace(groups.begin(), groups.end(), second, first);
         }
@@ -181,19 +185,22 @@ std::vector<DrawnLine> without_parts_in(const WallArea& area, const std::vector<
     return rest;
 }
 
-void add_walls(const std::vector<CutObject>& objects, DrawnView& drawn) {
+void add_walls(std::vector<CutObject> objects, DrawnView& drawn) {
     const std::vector<std::size_t> groups = groups_of(objects);
+    for (std::size_t k = 0; k < objects.size(); ++k) {
+        if (std::count(groups.begin(), groups.end(), groups[k]) == 1) continue;
+        const WallArea area(objects[k].wall);
+        for (std::size_t i = 0; i < objects.size(); ++i)
+            if (i != k && groups[i] == groups[k])
+                objects[i].lines = without_parts_in(area, objects[i].lines);
+    }
     for (std::size_t first = 0; first < objects.size(); ++first) {
         if (groups[first] != first) continue;
         MergedWalls& merged = drawn.walls.emplace_back();
         for (std::size_t i = first; i < objects.size(); ++i) {
             if (groups[i] != first) continue;
-            merged.push_back(objects[i].wall);
-            std::vector<DrawnLine> lines = objects[i].lines;
-            for (std::size_t k = first; k < objects.size(); ++k)
-                if (k != i && groups[k] == first)
-                    lines = without_parts_in(WallArea(objects[k].wall), lines);
-            drawn.lines.insert(drawn.lines.end(), lines.begin(), lines.end());
+            merged.push_back(std::move(objects[i].wall));
+            drawn.lines.insert(drawn.lines.end(), objects[i].lines.begin(), objects[i].lines.end());
         }
     }
 }

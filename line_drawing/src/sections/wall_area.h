@@ -43,6 +43,6 @@ struct CutObject {
 
 /// Adds walls and lines to a view. Walls that overlap are merged: their lines end where they enter
 /// another. Walls that touch, or overlap as little as scans of fitting parts, stay separate.
-void add_walls(const std::vector<CutObject>& objects, DrawnView& drawn);
+void add_walls(std::vector<CutObject> objects, DrawnView& drawn);
 
 }  // namespace line_drawing

@@ -17,7 +17,7 @@ using Eigen::Vector2d;
 
 // mm
 constexpr double kViewSize = 85, kCellGap = 5, kLeastCell = 35, kNameHeight = 2.6,
-                 kSizeHeight = 2.2, kTitleHeight = 4;
+                 kSizeHeight = 2.2;
 constexpr double kCaptionHeight = 2 * kNameHeight + 1.5 * kSizeHeight;
 
 /// Cells in rows, a view and its caption in each.
@@ -128,9 +128,9 @@ Sheet make_contact_sheet(const std::vector<ContactEntry>& entries, const std::st
         sheet.groups.push_back(place_in(cell, entries[i], int(i) + 1));
     }
     if (title.empty()) return sheet;
-    const SheetText text{
-        {kSheetMargin, grid.paper.y() - kSheetMargin}, kTitleHeight, TextAnchor::Left, sheet.title};
-    sheet.groups.push_back({"sheet", "Sheet", {{"title", "Title", {}, {text}}}});
+    sheet.groups.push_back({"sheet", "Sheet", {{"title", "Title", {}, {}}}});
+    add_title(sheet.title, {kSheetMargin, grid.paper.y() - kSheetMargin},
+              grid.paper.x() - 2 * kSheetMargin, sheet.groups.back().layers[0], sheet.remarks);
     return sheet;
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <thread>
 
@@ -77,7 +78,8 @@ std::string remark_on(const DrawnView& view, double missing) {
 
 std::string remark_on(const std::string& note) {
     return "Vessel: " + note +
-           ". That is how far the rim goes around the axis, and how much the vessel leans.";
+           ". That is how far the rim goes around the axis, and how much the vessel leans, if "
+           "known.";
 }
 
 /// Progress of equal tasks on several threads, reported only by the thread that made this, since
@@ -88,21 +90,16 @@ public:
 
     Progress of(std::size_t task) {
         if (!all_) return {};
-        return [this, task](double done, const char* stage) { return tell(task, done, stage); };
+        return [this, task](double done, const char* stage) {
+            done_[task] = done;
+            const double sum = std::accumulate(done_.begin(), done_.end(), 0.);
+            if (std::this_thread::get_id() == teller_ && !is_stopped_)
+                is_stopped_ = !all_(sum / double(done_.size()), stage);
+            return !is_stopped_;
+        };
     }
 
 private:
-    bool tell(std::size_t task, double done, const char* stage) {
-        done_[task] = done;
-        if (std::this_thread::get_id() == teller_ && !is_stopped_) {
-            double sum = 0;
-            for (const std::atomic<double>& of_task : done_)
-                sum += of_task;
-            is_stopped_ = !all_(sum / double(done_.size()), stage);
-        }
-        return !is_stopped_;
-    }
-
     const Progress all_;
     const std::thread::id teller_ = std::this_thread::get_id();
     std::vector<std::atomic<double>> done_;  // by task
@@ -198,14 +195,9 @@ Sheet draw(const ViewBuilder& builder, Draft& draft, const Progress& progress) {
     return sheet;
 }
 
-/// Runs run(item, progress) for items that take the same time.
-template <class Items, class Run>
-void for_each(Items& items, const Progress& progress, Run run) {
-    double done = 0;
-    for (auto& item : items) {
-        run(item, part(progress, done / double(items.size()), (done + 1) / double(items.size())));
-        ++done;
-    }
+/// Of one of tasks that take the same time.
+Progress part_of(std::size_t task, std::size_t tasks, const Progress& all) {
+    return part(all, double(task) / double(tasks), double(task + 1) / double(tasks));
 }
 
 }  // namespace
@@ -225,6 +217,7 @@ std::vector<Sheet> make_sheets(const Objects& objects, const std::vector<SheetOp
     for (const SheetOptions& o : options)
         check(o);
     ViewBuilder builder(objects);
+    const std::size_t count = options.size();
     std::vector<Draft> drafts;
     for (SheetOptions o : options) {
         o.title = one_line(o.title);
@@ -233,15 +226,15 @@ std::vector<Sheet> make_sheets(const Objects& objects, const std::vector<SheetOp
     }
     {
         ObjectLines lines(objects);  // freed before visibility is prepared: both are large
-        for_each(drafts, part(progress, 0, kLinesShare), [&](Draft& draft, const Progress& own) {
-            find_lines(builder, lines, draft, own);
-        });
+        const Progress all = part(progress, 0, kLinesShare);
+        for (std::size_t i = 0; i < count; ++i)
+            find_lines(builder, lines, drafts[i], part_of(i, count, all));
     }
     builder.prepare(options, part(progress, kLinesShare, kSightShare));
     std::vector<Sheet> sheets;
-    for_each(drafts, part(progress, kSightShare, 1), [&](Draft& draft, const Progress& own) {
-        sheets.push_back(draw(builder, draft, own));
-    });
+    const Progress all = part(progress, kSightShare, 1);
+    for (std::size_t i = 0; i < count; ++i)
+        sheets.push_back(draw(builder, drafts[i], part_of(i, count, all)));
     return sheets;
 }
 

@@ -17,7 +17,7 @@ using Eigen::Vector2d;
 
 // mm
 constexpr double kThinPen = 0.18;
-constexpr double kTitleHeight = 4, kNoteHeight = 2.6, kLongestBar = 50, kBarHeight = 1.2;
+constexpr double kNoteHeight = 2.6, kLongestBar = 50, kBarHeight = 1.2;
 constexpr double kLeastHeight = 1.8, kSmaller = 0.94;           // of letters; factor of a step
 constexpr double kHeightOfTwoLines = 3.2, kLineDistance = 1.3;  // of a title; of its height
 constexpr double kWidestFont = 1.15;                            // of our letters' width
@@ -132,18 +132,17 @@ double add_scale_bar(const Vector2d& corner, double scale, SheetLayer& layer) {
 }
 
 /// A truncated cone with the view from its small end, on its left: on the right in first angle, on
-/// the left in third (ISO 5456-2).
+/// the left in third (ISO 5456-2). Lower left corner at `corner`.
 void add_projection_symbol(const Vector2d& corner, Arrangement arrangement, SheetLayer& layer) {
     const double h = kSymbolHeight, y = corner.y() - h / 2;
     const bool is_first = arrangement == Arrangement::FirstAngle;
     const double cone = is_first ? corner.x() : corner.x() + kSymbolWidth - h * 1.2;
     const double circles = is_first ? corner.x() + kSymbolWidth - h / 2 : corner.x() + h / 2;
     Path trapezium;
-    trapezium.move_to({cone, y - h / 4});
-    trapezium.line_to({cone + 1.2 * h, y - h / 2});
-    trapezium.line_to({cone + 1.2 * h, y + h / 2});
-    trapezium.line_to({cone, y + h / 4});
-    trapezium.close();
+    trapezium.add_polygon({{cone, y - h / 4},
+                           {cone + 1.2 * h, y - h / 2},
+                           {cone + 1.2 * h, y + h / 2},
+                           {cone, y + h / 4}});
     layer.paths.push_back({trapezium, kThinPen});
     for (const double radius : {h / 4, h / 2}) {
         Path circle;
@@ -183,10 +182,7 @@ SheetLayer notes(const Vector2d& corner, double width, const std::string& note,
     const FittedText below = fit(note, kNoteHeight, kLeastHeight, width, 1);
     add_lines(below, corner, layer);
     if (below.is_cut) remarks.push_back(remark_on("The note below the drawing", below));
-    FittedText above = fit(title, kTitleHeight, kHeightOfTwoLines, width, 1);
-    if (above.is_cut) above = fit(title, kHeightOfTwoLines, kLeastHeight, width, 2);
-    add_lines(above, corner - Vector2d(0, kTitleAbove * kNoteHeight), layer);
-    if (above.height < kTitleHeight) remarks.push_back(remark_on("The title", above));
+    add_title(title, corner - Vector2d(0, kTitleAbove * kNoteHeight), width, layer, remarks);
     return layer;
 }
 
@@ -220,6 +216,14 @@ std::string elided(const std::string& text, double height, double width) {
     if (fitting(letters, height, width) == letters.size()) return text;
     const double dots = kWidestFont * height * width_of(U'\u2026');
     return in_utf8(letters.substr(0, fitting(letters, height, width - dots))) + "…";
+}
+
+void add_title(const std::string& title, const Vector2d& corner, double width, SheetLayer& layer,
+               std::vector<std::string>& remarks) {
+    FittedText fitted = fit(title, kTitleHeight, kHeightOfTwoLines, width, 1);
+    if (fitted.is_cut) fitted = fit(title, kHeightOfTwoLines, kLeastHeight, width, 2);
+    add_lines(fitted, corner, layer);
+    if (fitted.height < kTitleHeight) remarks.push_back(remark_on("The title", fitted));
 }
 
 SheetGroup draw_annotations(const std::vector<DrawnView>& views, const SheetLayout& layout,

@@ -19,11 +19,18 @@ std::string name_of(const ViewFrame& frame, bool sheet_has_scale);
 double least_strip_width(const std::vector<DrawnView>& views, const SheetOptions& options);
 
 /// Draws names of views, scale bar, projection symbol, title and notes. For the notes,
-/// `object_size` in mm of the object, and `kernel`, √h in mm on paper, or 0. Appends remarks if
-/// texts are too long.
+/// `object_size` in mm of the object, and `kernel`, √h in mm on paper, or 0. Appends remarks on
+/// long texts.
 SheetGroup draw_annotations(const std::vector<DrawnView>& views, const SheetLayout& layout,
                             const Eigen::Vector3d& object_size, double kernel,
                             const SheetOptions& options, std::vector<std::string>& remarks);
+
+constexpr double kTitleHeight = 4;  ///< of letters, mm
+
+/// Adds a title with its lower left corner at `corner`: one wider than `width` in smaller letters,
+/// in two lines, or cut, and a remark.
+void add_title(const std::string& title, const Eigen::Vector2d& corner, double width,
+               SheetLayer& layer, std::vector<std::string>& remarks);
 
 /// Width of a text in the widest common font, mm: SVG is shown in the reader's.
 double width_in_any_font(const std::string& text, double height);

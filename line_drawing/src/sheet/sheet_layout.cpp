@@ -43,7 +43,7 @@ using Bands = std::map<int, Band>;  // by the number of the row or column
 double set_middles(Bands& bands, double start, double scale, double gap) {
     double end = start;
     for (auto& [number, band] : bands) {
-        if (end != start) end += gap;
+        if (number != bands.begin()->first) end += gap;
         const double width = scale * (band.before + band.behind) + 2 * band.marks;
         const double aside = band.marks + std::max(0., band.name - width) / 2;
         band.middle = end + aside + scale * band.before;

@@ -33,38 +33,29 @@ void place_others(const std::vector<DrawnView>& views, bool beside, std::vector<
     }
 }
 
-/// Sections, and views whose cell is taken.
-void place_beside_the_front(const std::vector<DrawnView>& views, UpAxis up,
-                            std::vector<Cell>& cells) {
+/// Views whose cell is taken, and then sections: `in_a_row` in rows below all views, if not 0.
+void place_rest(const std::vector<DrawnView>& views, UpAxis up, int in_a_row,
+                std::vector<Cell>& cells) {
     std::set<std::pair<int, int>> taken;
     std::vector<std::size_t> waiting;
-    int last_row = 0, last_column = 0;
+    int last_row = 0, left = 0, last_column = 0, sections = 0;
     for (std::size_t i = 0; i < views.size(); ++i)
         if (!views[i].is_section && taken.emplace(cells[i].row, cells[i].column).second) {
             last_row = std::max(last_row, cells[i].row);
+            left = std::min(left, cells[i].column);
             last_column = std::max(last_column, cells[i].column);
         } else {
             waiting.push_back(i);
         }
     for (const std::size_t i : waiting) {
         const bool is_vertical = std::abs(views[i].frame.towards_viewer[int(up)]) > 0.5;
-        cells[i] = is_vertical ? Cell{++last_row, 0} : Cell{0, ++last_column};
-    }
-}
-
-/// Sections in rows below all views.
-void place_in_rows(const std::vector<DrawnView>& views, int in_a_row, std::vector<Cell>& cells) {
-    int row = 0, column = 0, sections = 0;
-    for (std::size_t i = 0; i < views.size(); ++i)
-        if (!views[i].is_section) {
-            row = std::max(row, cells[i].row + 1);
-            column = std::min(column, cells[i].column);
-        }
-    for (std::size_t i = 0; i < views.size(); ++i)
-        if (views[i].is_section) {
-            cells[i] = {row + sections / in_a_row, column + sections % in_a_row};
+        if (views[i].is_section && in_a_row > 0) {
+            cells[i] = {last_row + 1 + sections / in_a_row, left + sections % in_a_row};
             ++sections;
+        } else {
+            cells[i] = is_vertical ? Cell{++last_row, 0} : Cell{0, ++last_column};
         }
+    }
 }
 
 }  // namespace
@@ -75,8 +66,7 @@ std::vector<Cell> cells_of(const std::vector<DrawnView>& views, const SheetOptio
     for (const DrawnView& view : views)
         cells.push_back(cell_of(view.frame.side, options.arrangement));
     place_others(views, choice.others_beside, cells);
-    place_beside_the_front(views, options.up, cells);
-    if (choice.sections_in_a_row > 0) place_in_rows(views, choice.sections_in_a_row, cells);
+    place_rest(views, options.up, choice.sections_in_a_row, cells);
     return cells;
 }
 

@@ -15,13 +15,13 @@ struct Cell {
 /// Where views have a choice.
 struct CellChoice {
     bool others_beside = false;  ///< views of no side end the front view's row, else in rows below
-    int sections_in_a_row = 0;   ///< below all views; 0: they are beside the front view
+    int sections_in_a_row = 0;   ///< below all views; 0: they are beside or below the front view
 };
 
-/// The cells of views, each its own. The sides of an object are around the front view, in the
-/// options' angle of projection, views of no side (by azimuth and elevation) as chosen. Sections,
-/// and views of a side that another one shows already, are at the end of the front view's row, or
-/// of its column if they look from above or below, unless sections are in rows.
+/// The cells of views, each its own; sections follow the views. The sides of an object are around
+/// the front view, in the options' angle of projection, views of no side as chosen. Sections, and
+/// views of a side that another one shows already, are at the end of the front view's row, or of
+/// its column if they look from above or below, unless sections are in rows.
 std::vector<Cell> cells_of(const std::vector<DrawnView>& views, const SheetOptions& options,
                            const CellChoice& choice);
 

@@ -110,26 +110,20 @@ void add_hatching(const std::vector<MergedWalls>& walls, const Pens& pens,
 SheetPath filled(const Wall& loops, double tone = 0) {
     SheetPath area;
     area.tone = tone;
-    for (const auto& loop : loops) {
-        area.path.move_to(loop[0]);
-        for (const Eigen::Vector2d& p : loop)
-            area.path.line_to(p);
-        area.path.close();
-    }
+    for (const Loop& loop : loops)
+        area.path.add_polygon(loop);
     return area;
 }
 
 /// Simplifies a closed loop, also where it begins.
 Loop corners_of(Loop loop) {
-    loop.pop_back();
     const auto by_place = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
         return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
     };
     const auto leftmost = std::min_element(loop.begin(), loop.end(), by_place);
-    std::rotate(loop.begin(), leftmost, loop.end());
+    begin_at(std::size_t(leftmost - loop.begin()), loop);
     const auto rightmost =
         std::size_t(std::max_element(loop.begin(), loop.end(), by_place) - loop.begin());
-    loop.push_back(loop.front());
     Loop corners;
     for (const auto& [first, last] :
          {std::pair(std::size_t(0), rightmost), std::pair(rightmost, loop.size() - 1)})

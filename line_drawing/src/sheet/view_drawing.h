@@ -11,7 +11,7 @@ namespace line_drawing {
 std::vector<DrawnLine> draw_lines(const DrawnView& view, const Placement& placement,
                                   const SheetOptions& options);
 
-/// `number` counts views from 1. Thin lines come first, outlines are over them.
+/// `number` counts views from 1. Areas come first, outlines are over other lines.
 SheetGroup draw_view(const DrawnView& view, std::size_t number, const Placement& placement,
                      const SheetOptions& options);
 

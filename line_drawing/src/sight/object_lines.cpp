@@ -35,8 +35,12 @@ double kernel_factor(double detail) {
     return std::exp2(1 - detail / 50);
 }
 
+/// Sizes that were asked for are those of a mesh with a diagonal and a mean edge of 1: they tell
+/// fields apart, and compute_field() has the object's own.
 PrecomputeOptions field_options(const SheetOptions& options, double mm) {
     PrecomputeOptions result;
+    result.kernel_size = length_of(options.kernel, mm, 1);
+    result.normal_sigma = length_of(options.smoothing, mm, 1);
     const double factor = kernel_factor(options.style.detail);
     result.least_drawn_edges = laplacian_lines::kLeastKernelEdges * std::min(factor, 1.);
     result.drawn_kernel_size =
@@ -56,7 +60,7 @@ Field compute_field(const Object& object, PrecomputeOptions wanted, const SheetO
         if (options.smoothing.size > 0) {
             const double known = object.mesh.known_edge;
             const double edge =
-                known > 0 ? known : laplacian_lines::measure_scale(object.mesh, wanted).mean_edge;
+                known > 0 ? known : laplacian_lines::measure_scale(object.mesh).mean_edge;
             wanted.normal_sigma = length_of(options.smoothing, mm, diagonal) / edge;
         }
         return laplacian_lines::precompute(object.mesh, wanted, progress);
@@ -83,6 +87,8 @@ std::size_t ObjectLines::bytes_of(const Extractors& kept) {
 
 double ObjectLines::distance(const Extractors& kept, const PrecomputeOptions& wanted) {
     if (kept.made.curvature_derivatives < wanted.curvature_derivatives) return INFINITY;
+    const bool is_asked_alike = kept.made.kernel_size == wanted.kernel_size &&
+                                kept.made.normal_sigma == wanted.normal_sigma;
     const double asked = kept.made.drawn_kernel_size, now = wanted.drawn_kernel_size;
     const auto is_same = [&](double kernel) {
         // Requests beyond the limits of kernels get the limit, which is the same for one Detail.
@@ -94,7 +100,9 @@ double ObjectLines::distance(const Extractors& kept, const PrecomputeOptions& wa
     };
     double largest = 0;
     for (const Extractor& own : kept.extractors)
-        if (!own.is_given && !(kept.is_exact && is_same(own.kernel)))
+        if (!own.is_given && !is_asked_alike)
+            return INFINITY;
+        else if (!own.is_given && !(kept.is_exact && is_same(own.kernel)))
             largest = std::max({1., largest, own.kernel / now, now / own.kernel});
     return largest;
 }

@@ -297,7 +297,7 @@ DrawnView ViewBuilder::section_view(const Section& section, const SheetOptions& 
         }
         objects.push_back(std::move(parts));
     }
-    add_walls(objects, drawn);
+    add_walls(std::move(objects), drawn);
     return drawn;
 }
 

@@ -33,7 +33,7 @@ struct End {
     std::size_t line;
     bool is_last;
     Vector2d position, outwards;
-    double bend;  // radians to the left on the way out, over kBendReach, if it is an arc
+    double bend;  // radians to the right on the way out, over kBendReach, if it is an arc
 };
 
 double angle_between(const Vector2d& from, const Vector2d& to) {

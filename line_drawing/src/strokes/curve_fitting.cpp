@@ -211,10 +211,8 @@ void fit_curve(const Points& given, bool closed, double tolerance, Path& path) {
     closed = closed && points.size() > 3 && points.front() == points.back();
     std::vector<std::size_t> corners = find_corners(points, closed, kCornerReach * tolerance);
     if (closed && !corners.empty() && corners[0] != 0) {  // to begin with a corner
-        points.pop_back();
-        std::rotate(points.begin(), points.begin() + std::ptrdiff_t(corners[0]), points.end());
-        points.push_back(points.front());
         const std::size_t shift = corners[0];
+        begin_at(shift, points);
         for (std::size_t& corner : corners)
             corner -= shift;
     }

@@ -45,10 +45,6 @@ void for_each_piece(const DrawnLine& line, double step, Visit visit) {
     }
 }
 
-Vector2d left_of(const Vector2d& way) {
-    return {-way.y(), way.x()};
-}
-
 /// Between two lines.
 struct Gap {
     double width;
@@ -58,21 +54,21 @@ struct Gap {
 
 std::optional<Gap> gap_at(const Vector2d& point, const Vector2d& way, const DrawnLines& kept,
                           double pen) {
-    const Vector2d left = left_of(way), right = -left;
+    const Vector2d right = right_of(way), left = -right;
     const DrawnLines::Distances within = {0, kWidestGap * pen};
-    const auto on_left = kept.next_on(point, left, within);
-    const auto on_right = on_left ? kept.next_on(point, right, within) : std::nullopt;
-    if (!on_right) return {};
-    const double width = (on_left->position - on_right->position).norm();
+    const auto on_right = kept.next_on(point, right, within);
+    const auto on_left = on_right ? kept.next_on(point, left, within) : std::nullopt;
+    if (!on_left) return {};
+    const double width = (on_right->position - on_left->position).norm();
     if (width > kWidestGap * pen) return {};
     const auto goes_on = [&](const DrawnLines::Neighbour& line, const Vector2d& side) {
         return kept.next_on(line.position, side,
                             {(1 - kUnevenness) * width, (1 + kUnevenness) * width});
     };
-    const double sign = on_left->way.dot(on_right->way) < 0 ? -1 : 1;
-    const Vector2d along = (on_left->way + sign * on_right->way).normalized();
+    const double sign = on_right->way.dot(on_left->way) < 0 ? -1 : 1;
+    const Vector2d along = (on_right->way + sign * on_left->way).normalized();
     return Gap{width, along.dot(way) < 0 ? Vector2d(-along) : along,
-               goes_on(*on_left, left) || goes_on(*on_right, right)};
+               goes_on(*on_right, right) || goes_on(*on_left, left)};
 }
 
 /// How far a gap extends from a place in it, up to `most`.
@@ -89,7 +85,7 @@ double length_from(Vector2d point, Vector2d way, double width, double most, cons
     return length;
 }
 
-/// The line that is nearest to most of this one, on its left for a `sign` of 1, and not `done`.
+/// The line that is nearest to most of this one, on its right for a `sign` of 1, and not `done`.
 std::optional<std::size_t> next_beside(const std::vector<DrawnLine>& lines, std::size_t i,
                                        double sign, const DrawnLines& all, double white,
                                        const std::vector<bool>& done) {
@@ -97,7 +93,7 @@ std::optional<std::size_t> next_beside(const std::vector<DrawnLine>& lines, std:
     for_each_piece(lines[i], white,
                    [&](const Vector2d& middle, const Vector2d& way, double length) {
                        const auto next =
-                           all.next_on(middle, sign * left_of(way), {white, kFarthestNext * white},
+                           all.next_on(middle, sign * right_of(way), {white, kFarthestNext * white},
                                        [&](std::size_t line) { return done[line]; });
                        if (next) lengths[next->line] += length;
                    });
@@ -202,7 +198,7 @@ std::optional<DrawnLines::Neighbour> DrawnLines::next_on(
     const std::function<bool(std::size_t)>& skips) const {
     std::optional<Neighbour> nearest;
     double most = distances.most;
-    const Vector2d farthest = point + most * side, aside = most * kAlongTangent * left_of(side);
+    const Vector2d farthest = point + most * side, aside = most * kAlongTangent * right_of(side);
     Eigen::AlignedBox2d box(point);
     box.extend(farthest + aside).extend(farthest - aside);
     any_piece_in(box, [&](const Piece& piece) {
@@ -245,7 +241,7 @@ double share_between(const DrawnLine& line, std::size_t number, const DrawnLines
                 .has_value();
         };
         length += piece;
-        if (has_next(left_of(way)) && has_next(-left_of(way))) between += piece;
+        if (has_next(right_of(way)) && has_next(-right_of(way))) between += piece;
     });
     return between / length;
 }

@@ -85,6 +85,11 @@ private:
     std::unordered_map<Cell, std::vector<Piece>> pieces_;  // in squares as wide as the reach
 };
 
+/// On a sheet, whose y points down.
+inline Eigen::Vector2d right_of(const Eigen::Vector2d& way) {
+    return {-way.y(), way.x()};
+}
+
 bool is_curved_contour(const DrawnLine& line);
 
 /// Whether a line shows the form of a curved surface: an inner line, or a contour.
@@ -104,9 +109,9 @@ double share_between(const DrawnLine& line, std::size_t number, const DrawnLines
 void for_each_by_families(const std::vector<DrawnLine>& lines, const std::vector<double>& strengths,
                           double white, const std::function<bool(std::size_t)>& keep);
 
-/// Whether a line stands in the middle of three evenly spaced folds that go on side by side beyond
-/// its ends, for a third of its length, with nothing between them. Folds less than four √h apart
-/// are even anyway. `kept`: drawn lines; `pen` of inner lines, mm.
+/// Whether a line runs between two of three evenly spaced folds, at most four √h apart, that go on
+/// side by side beyond its ends, for a third of its length, with nothing between them. `kept`:
+/// drawn lines; `pen` of inner lines, mm.
 bool is_between_folds(const DrawnLine& line, const DrawnLines& kept, double pen);
 
 }  // namespace line_drawing

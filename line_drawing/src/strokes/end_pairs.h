@@ -16,8 +16,8 @@ namespace line_drawing {
 constexpr std::size_t kNoEnd = std::size_t(-1);
 
 /// For each end of lines the end that continues it, or kNoEnd: those whose cost(a, b), if they do,
-/// is least are paired first. `positions`: two by two, of the ends of a line. Ends farther apart
-/// than `reach` are not asked for.
+/// is least are paired first. `positions`: two by two, of the ends of a line. All ends within
+/// `reach` of each other are asked for, and some that are farther apart.
 template <class Cost>
 std::vector<std::size_t> pair_ends(const std::vector<Eigen::Vector2d>& positions, double reach,
                                    Cost cost) {
@@ -48,8 +48,8 @@ std::vector<std::size_t> pair_ends(const std::vector<Eigen::Vector2d>& positions
     return partners;
 }
 
-/// Calls visit(way) for each chain of lines, with the ends that it enters them by: open chains from
-/// an end that nothing continues, then rings. `partners`: see pair_ends().
+/// Calls visit(way, is_ring) for each chain of lines, with the ends that it enters them by: open
+/// chains from an end that nothing continues, then rings. `partners`: see pair_ends().
 template <class Visit>
 void for_each_chain_of_ends(const std::vector<std::size_t>& partners, Visit visit) {
     std::vector<bool> is_done(partners.size());

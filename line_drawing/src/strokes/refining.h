@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -34,6 +35,14 @@ std::vector<Point> refine(const std::vector<Point>& points, double step) {
         result.push_back(p);
     }
     return result;
+}
+
+/// Has a ring, which ends with a copy of its first element, begin at another one.
+template <class Ring>
+void begin_at(std::size_t place, Ring& ring) {
+    ring.pop_back();
+    std::rotate(ring.begin(), ring.begin() + std::ptrdiff_t(place), ring.end());
+    ring.push_back(ring.front());
 }
 
 }  // namespace line_drawing

@@ -46,12 +46,6 @@ std::vector<DrawnLine> without_low(std::vector<DrawnLine> lines, double least) {
     return rest;
 }
 
-void drop_empty(std::vector<DrawnLine>& lines) {
-    lines.erase(std::remove_if(lines.begin(), lines.end(),
-                               [](const DrawnLine& line) { return line.points.size() < 2; }),
-                lines.end());
-}
-
 /// Where lines meet.
 class Nodes {
 public:
@@ -113,7 +107,7 @@ bool goes_if_alone(const DrawnLine& line) {
            !is_inner(line);
 }
 
-/// `least`: extent of a net in which no way leads around.
+/// Clears lines. `least`: extent of a net in which no way leads around.
 void drop_small_nets(const Nodes& nodes, double least, std::vector<DrawnLine>& lines) {
     std::vector<bool> is_known(lines.size());
     for (std::size_t first = 0; first < lines.size(); ++first) {
@@ -123,7 +117,6 @@ void drop_small_nets(const Nodes& nodes, double least, std::vector<DrawnLine>& l
         for (const std::size_t l : net.lines)
             if (goes_if_alone(lines[l])) lines[l].points.clear();
     }
-    drop_empty(lines);
 }
 
 /// Cuts off ends shorter than `shortest` between nothing and the next junction.
@@ -141,14 +134,11 @@ bool is_dot(const DrawnLine& line, double shortest) {
 }
 
 void trim(const Nodes& nodes, double shortest, DrawnLine& line) {
-    if (line.closed) {
-        if (is_dot(line, shortest)) line.points.clear();
-        return;
+    if (line.closed && is_dot(line, shortest)) line.points.clear();
+    for (int end = 0; end < 2 && !line.closed; ++end) {
+        trim_end(nodes, shortest, line.points);
+        std::reverse(line.points.begin(), line.points.end());
     }
-    trim_end(nodes, shortest, line.points);
-    std::reverse(line.points.begin(), line.points.end());
-    trim_end(nodes, shortest, line.points);
-    std::reverse(line.points.begin(), line.points.end());
 }
 
 }  // namespace
@@ -160,7 +150,8 @@ std::vector<DrawnLine> without_specks(std::vector<DrawnLine> lines, const SheetO
     for (DrawnLine& line : lines)
         if (line.line_class != LineClass::Outline)
             trim(nodes, is_curved_contour(line) ? kShortestAlone : kShortestLine, line);
-    drop_empty(lines);
+    const auto is_empty = [](const DrawnLine& line) { return line.points.size() < 2; };
+    lines.erase(std::remove_if(lines.begin(), lines.end(), is_empty), lines.end());
     return lines;
 }
 

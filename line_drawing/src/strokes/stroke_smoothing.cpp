@@ -84,7 +84,7 @@ public:
 
     bool is_long() const { return steps_ >= 2; }
 
-    /// Exact points and ends stay.
+    /// Pieces between two exact points stay, and the ends of an open line.
     void smooth(double reach, bool closed) {
         const std::size_t count = closed ? steps_ : steps_ + 1;
         EvenPoints places(Eigen::Index(count), 2);
@@ -182,8 +182,7 @@ private:
         std::vector<DrawnPoint>& points = line.points;
         const auto first = std::find_if(points.begin(), points.end() - 1, is_exact);
         if (first == points.end() - 1) return false;
-        std::rotate(points.begin(), first, points.end() - 1);
-        points.back() = points.front();
+        begin_at(std::size_t(first - points.begin()), points);
         return true;
     }
 
@@ -203,10 +202,6 @@ private:
     std::unordered_map<std::uint32_t, Vector2d> moved_;  // nodes
 };
 
-bool is_contour(const DrawnLine& line) {
-    return line.line_class == LineClass::Outline || line.line_class == LineClass::Contour;
-}
-
 }  // namespace
 
 void smooth_contours(std::vector<DrawnLine>& lines, double reach) {
@@ -217,7 +212,7 @@ void smooth_contours(std::vector<DrawnLine>& lines, double reach) {
             smoother.follow(line);
     }
     for (DrawnLine& line : lines)
-        if (is_contour(line))
+        if (line.line_class == LineClass::Outline || line.line_class == LineClass::Contour)
             for (DrawnPoint& point : line.points)
                 point.is_smoothed = true;
 }

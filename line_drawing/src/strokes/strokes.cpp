@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "strokes/drawn_lines.h"
+
 namespace line_drawing {
 namespace {
 
@@ -43,11 +45,6 @@ Spine spine_of(const DrawnLine& line, double pen) {
         spine.widths.push_back(pen * point.weight);
     }
     return spine;
-}
-
-/// On a sheet whose y points down.
-Vector2d right_of(const Vector2d& way) {
-    return {-way.y(), way.x()};
 }
 
 /// The two edges of a stroke: offset curves of its spine, joined round where it turns.

@@ -69,9 +69,9 @@ struct MetEnd {
     std::size_t met;
 };
 
-/// Extends ends of inner lines that are drawn in full and head for another line to that line, over
-/// at most three pens: edges of features meet each other and outlines. Returns these ends, and
-/// those that met a line before.
+/// Extends ends of inner lines that are not faint and head for another line to that line, over at
+/// most three pens: edges of features meet each other and outlines. Returns these ends, and those
+/// that met a line before.
 std::vector<MetEnd> join_ends(std::vector<DrawnLine>& lines, double pen);
 
 /// Moves ends with the line they met, if that has moved by less than a pen.

@@ -21,7 +21,7 @@ constexpr double kClearWhite = 1;
 constexpr double kLeastApart = 0.5;  // of a line, with white beside stronger ones
 constexpr double kLowStep = 4;       // in depth: what is behind it is of the same form
 constexpr double kShortestStroke = 6;
-constexpr double kLeastExtent = 4;    // √h: what is folded within it is a knot
+constexpr double kLeastExtent = 4;    // a √h: what is folded within it is a knot
 constexpr double kLeastInk = 6;       // mean weight times length
 constexpr double kShortestLoop = 24;  // 6 √h
 constexpr double kLeastHole = 2;      // of a surface: smaller ones would be dots
@@ -37,10 +37,6 @@ double mean_weight(const DrawnLine& line) {
     for (const DrawnPoint& point : line.points)
         sum += point.weight;
     return sum / double(line.points.size());
-}
-
-double extent_of(const DrawnLine& line) {
-    return box_of(line).diagonal().norm();
 }
 
 double strength_of(const DrawnLine& line) {
@@ -67,14 +63,6 @@ bool is_crowded(const DrawnLine& line, std::size_t number, const DrawnLines& edg
     const bool is_step = line.line_class == LineClass::Contour && line.jump < kLowStep * pen;
     return (line.line_class == LineClass::Edge || is_step) &&
            share_between(line, number, edges, within) >= kLeastApart;
-}
-
-/// Has a ring, which ends with a copy of its first element, begin at another one.
-template <class T>
-void begin_at(std::size_t place, std::vector<T>& ring) {
-    ring.pop_back();
-    std::rotate(ring.begin(), ring.begin() + std::ptrdiff_t(place), ring.end());
-    ring.push_back(ring.front());
 }
 
 /// The middle of the longest run of true in a ring, which ends with a copy of its first element.
@@ -247,7 +235,8 @@ private:
     bool keep(const DrawnLine& line, double shortest, std::vector<DrawnLine>& result) {
         const double length = length_of(line.points) / pen_;
         if (length < shortest || mean_weight(line) * length < kLeastInk ||
-            extent_of(line) < kLeastExtent * pen_ || is_between_folds(line, kept_, pen_))
+            box_of(line).diagonal().norm() < kLeastExtent * pen_ ||
+            is_between_folds(line, kept_, pen_))
             return false;
         kept_.add(positions_of(line));
         result.push_back(line);
@@ -269,14 +258,14 @@ bool is_repeated(const std::vector<DrawnPoint>& line, const DrawnLines& all,
         return i == number || lengths[i] < length / 2 || lengths[i] > 2 * length;
     };
     const Vector2d way = (line.back().position - line.front().position).stableNormalized();
-    const Vector2d side(-way.y(), way.x()), middle = line[line.size() / 2].position;
+    const Vector2d side = right_of(way), middle = line[line.size() / 2].position;
     return all.next_on(middle, side, {0, length}, is_other_kind) ||
            all.next_on(middle, -side, {0, length}, is_other_kind);
 }
 
 bool is_dot(const DrawnLine& line, double pen) {
     return line.kind == laplacian_lines::LineKind::Border && line.closed &&
-           extent_of(line) < kLeastHole * pen;
+           box_of(line).diagonal().norm() < kLeastHole * pen;
 }
 
 }  // namespace
