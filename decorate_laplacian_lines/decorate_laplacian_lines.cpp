@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // MeshLab calls a decoration for one layer after the other:
-//  start()  when it is switched on, and again whenever a parameter changes: prepares the layer's
-//           lines, unless the cache has them.
+//  start()  when it is switched on, and again after each filter and change of a parameter: prepares
+//           the layer's lines, unless the cache has them.
 //  draw()   in each redraw of a view:
 //           1. Parameters out of range stay as they were.
 //           2. Lines are prepared anew if the layer's geometry is no longer theirs.
 //           3. The redraw's first layer asks for the printed drawing of the whole view. If the view
 //              is at rest and it is ready, it is shown, and the lines of no layer are.
 //           4. Else the lines that this camera sees are found and drawn over all surfaces.
-//           5. Why a layer has no lines is logged once, and stands in the view all the time.
+//           5. What is refused, and why, is logged once, and stands in the view all the time.
 //  end()    releases what it kept for the layer, or for the view if that is gone.
 #include "decorate_laplacian_lines.h"
 
@@ -95,7 +95,7 @@ bool draws_nothing(const MeshModel& layer) {
     return layer.cm.fn == 0 && (layer.cm.vn == 0 || layer.cm.en > 0);
 }
 
-/// Whether derivatives have not been computed yet.
+/// Whether derivatives are missing, and computing them has not failed.
 bool is_without_derivatives(const PreparedLines& lines) {
     return lines.extractor && !lines.has_derivatives && lines.missing_reason.isEmpty();
 }
@@ -134,7 +134,7 @@ bool DecorateLaplacianLines::start(MeshModel& mesh, const RichParameterList& par
     if (refusal.isEmpty()) return true;
     const MeshDocument* document = meshlab_host::document_of(mesh);
     const GLLogStream* log = document ? &document->Log : nullptr;
-    logged_refusals_.erase({log, int(mesh.id())});  // log it each time that it is switched on
+    logged_refusals_.erase({log, int(mesh.id())});  // log it at each start
     log_refusal(mesh, log, refusal);
     return false;
 }
@@ -153,8 +153,7 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
             lines = find_or_prepare_lines(mesh, view, needs_derivatives);
         if (lines->failure.isEmpty())
             text = draw_lines(mesh, *lines, valid.chosen, view, painter, clock);
-        const QString& missing_reason = needs_derivatives ? lines->missing_reason : QString();
-        complaints += QStringList{lines->failure, missing_reason};
+        complaints << lines->failure << (needs_derivatives ? lines->missing_reason : QString());
     } catch (const std::exception& error) {
         complaints << QString::fromUtf8(error.what());
     }

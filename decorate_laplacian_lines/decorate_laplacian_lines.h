@@ -14,8 +14,8 @@
 #include "printed_views.h"
 #include "view_drawing.h"
 
-/// Draws the lines of a mesh from its attributes, the camera and the parameters; never lines of a
-/// geometry that the mesh no longer has.
+/// Draws the lines of a mesh from its attributes, the camera and the parameters; prepares them anew
+/// once GeometryCheck finds that the mesh has changed.
 class DecorateLaplacianLines : public meshlab_host::DecoratePluginBase {
     Q_OBJECT
     MESHLAB_PLUGIN_IID_EXPORTER(MESHLAB_HOST_DECORATE_IID)
@@ -67,11 +67,11 @@ private:
     std::optional<PrintedView> printed_view(const MeshModel& mesh,
                                             const DecorationParameters& chosen,
                                             const LayerInView& layer, int tiles) const;
-    /// All visible layers of the mesh's document, if all of them have lines; else null.
+    /// All visible layers of the mesh's document; null if one has no lines, or they are too large.
     std::shared_ptr<PrintedScene> printed_scene(const MeshModel& mesh, ViewLayers::View view) const;
 
-    /// Logs why a mesh has no lines, unless that was its last message as well; empty: it has some.
-    /// `log` is its document's.
+    /// Logs why a mesh or a parameter is refused, unless that was its last message as well; empty:
+    /// nothing is. `log` is its document's.
     void log_refusal(const MeshModel& mesh, const GLLogStream* log, const QString& refusal);
     /// Logs once, for each layer that was added after the lines of others, why it has none.
     void log_new_layers(const MeshModel& mesh, GLArea* view);
@@ -83,7 +83,7 @@ private:
     Print print_;  ///< of all layers, in the current redraw
     /// Ids of the layers that are not new, of the documents that are watched.
     std::map<const MeshDocument*, std::set<int>> known_layers_;
-    /// The last message about meshes without lines, by log, which is never dereferenced, and mesh.
+    /// The last refusal, by log, which is never dereferenced, and mesh.
     std::map<std::pair<const GLLogStream*, int>, QString> logged_refusals_;
     meshlab_host::SnapshotDialog snapshot_dialog_;
     meshlab_host::SnapshotTiles tiles_;

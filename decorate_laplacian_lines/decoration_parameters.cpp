@@ -26,8 +26,9 @@ void read(const Row& row, const RichParameterList& list, const DecorationParamet
     } catch (const laplacian_lines::Error& error) {
         const double value = row.get(last_time);
         row.set(result.as_set, value);
-        result.refused += QString("%1 Until then it stays %2.")
-                              .arg(error.what(), meshlab_host::text_of(value, row));
+        result.refused +=
+            QString("%1 Until then it stays %2.")
+                .arg(QString::fromUtf8(error.what()), meshlab_host::text_of(value, row));
     }
 }
 

@@ -17,7 +17,7 @@
 /// Makes names unique among MeshLab's plugins.
 inline const QString kDecorationPrefix = "MeshLab::Decoration::LaplacianLines_";
 
-/// Appearances that override color, surface and light.
+/// All but Custom override color and surface, and the light unless it suits them.
 enum class DrawingStyle { Custom, Publication, Archaeology };
 
 /// Value of `mixture` with which kinds are ticked one by one.
@@ -68,7 +68,7 @@ std::optional<double> light_azimuth(const DecorationParameters& parameters);
 struct ValidParameters {
     DecorationParameters chosen;  ///< with drawing style and mixture applied
     DecorationParameters as_set;
-    QStringList refused;  ///< a sentence for each invalid value
+    QStringList refused;  ///< for each invalid value, what is wrong and what it stays
 };
 ValidParameters read_valid_parameters(const RichParameterList& list,
                                       const DecorationParameters& last_time = {});

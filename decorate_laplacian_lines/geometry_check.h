@@ -32,7 +32,7 @@ class GeometryCheck {
 public:
     GeometryCheck();
 
-    /// Whether to compare in this redraw of `widget`; if not, schedules a redraw that does.
+    /// Whether to compare in this redraw of `widget`, always if null; if not, schedules one.
     bool is_due(const Eigen::Matrix4d& modelview, unsigned presses, QWidget* widget);
 
 private:

@@ -61,7 +61,7 @@ private:
 };
 
 /// Each mesh's last lines, so that switching them off and on computes nothing; the least recently
-/// used go, over all documents, when memory is short. GUI thread only.
+/// used go, over all documents, beyond `most_bytes`. GUI thread only.
 class KeptLines {
 public:
     using Document = const void*;  ///< a key, never dereferenced

@@ -22,7 +22,7 @@ struct PreparedLines {
     line_renderer::SurfacePointer surface;        ///< set if there is an extractor
     QString failure;                              ///< one sentence, empty if there is an extractor
     bool is_out_of_memory = false;                ///< the failure: another try may succeed
-    std::size_t bytes = 0;                        ///< of all members
+    std::size_t bytes = 0;                        ///< of all members, of the scene by estimate
     bool has_derivatives = false;                 ///< for kinds of lines that need them
     QString missing_reason;                       ///< why they could not be computed
     std::optional<laplacian_lines::Field> field;  ///< to compute them from, if it was computed
@@ -33,9 +33,8 @@ struct PreparedLines {
 };
 using PreparedLinesPointer = std::shared_ptr<PreparedLines>;
 
-/// From the mesh's attributes if current, else by computing the field with the defaults, which
-/// takes seconds for a million triangles and is logged by `say`. Does not change the mesh. Throws
-/// only std::bad_alloc, if not even the message fits.
+/// With the field of find_or_compute_field(). Throws only std::bad_alloc, if not even the message
+/// fits.
 PreparedLinesPointer prepare_lines(const CMeshO& mesh, const QString& mesh_name,
                                    const meshlab_host::FieldSource& source,
                                    const std::function<void(const QString&)>& say);

@@ -75,8 +75,8 @@ private:
     std::optional<line_drawing::ViewPainter> painter_;
 };
 
-/// How a window of `size` pixels sees a scene from whose coordinates `to_eye` is; none if lengths
-/// depend on the direction. `pixels_per_mm` of paper.
+/// How a window of `size` pixels sees a scene from whose coordinates `to_eye` is; none if that is
+/// no Similarity. `pixels_per_mm` of paper.
 std::optional<line_drawing::WindowView> window_of(const Eigen::Matrix4d& to_eye,
                                                   const Eigen::Matrix4d& projection,
                                                   const Eigen::Vector2i& size,

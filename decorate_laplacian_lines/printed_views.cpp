@@ -16,7 +16,7 @@ namespace {
 
 /// Pause after the last change before a drawing is shown, and the least before it is begun.
 constexpr int kMillisecondsAtRest = 150, kMillisecondsIdle = 50;
-constexpr int kIdleChanges = 2;  // at rest after so many times the last interval between changes
+constexpr int kIdleChanges = 2;  // begun after so many times the last interval between changes
 
 /// Up to rounding, since MeshLab computes the projection of a snapshot in another way, and without
 /// near and far, which move no line.

@@ -9,11 +9,11 @@
 #include "meshlab_host/camera.h"
 #include "meshlab_host/drawn_style.h"
 #include "meshlab_host/parameters.h"
+#include "window_frame.h"
 
 using laplacian_lines::refuse;
 using line_drawing::SheetOption;
 using line_drawing::SheetOptions;
-using line_drawing::ViewFrame;
 using meshlab_host::CurrentView;
 
 namespace {
@@ -43,12 +43,6 @@ QString folder_of(const MeshModel& mesh) {
 }
 QString name_of(const MeshModel& mesh) {
     return QFileInfo(mesh.fullName().isEmpty() ? mesh.label() : mesh.fullName()).completeBaseName();
-}
-
-ViewFrame frame_of(const CurrentView& window) {
-    return line_drawing::frame_of_axes(
-        "View", window.towards_viewer, window.up,
-        window.is_orthographic ? std::nullopt : std::optional(window.eye));
 }
 
 bool is_window(const std::string& view) {

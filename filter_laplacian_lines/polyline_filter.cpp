@@ -28,7 +28,6 @@
 
 using laplacian_lines::LineSet;
 using laplacian_lines::part;
-using laplacian_lines::View;
 
 namespace {
 
@@ -43,17 +42,15 @@ struct Source {
     explicit Source(const MeshModel& mesh)
         : triangles(meshlab_host::to_triangle_mesh(mesh.cm)),
           name(mesh.label()),
-          transform(mesh.cm.Tr),
           to_world(meshlab_host::layer_transform(mesh.cm)) {}
 
     laplacian_lines::TriangleMesh triangles;
     QString name;
-    Matrix44m transform;
     Eigen::Matrix4d to_world;
 };
 
-/// D of what is drawn. Refuses triangles at far vertices: slivers without lines, but rounding would
-/// make them hide all others, and let the eye seem enclosed.
+/// D. Refuses meshes with vertices far off: triangles there are slivers, which count as without
+/// area, but by rounding would hide all lines, and let the eye seem enclosed.
 double drawn_diagonal(const Source& source) {
     constexpr double most = 1e6;  // diagonals of what has lines
     const double all = line_drawing::bounds_of(source.triangles).diagonal().stableNorm();
@@ -69,7 +66,7 @@ double drawn_diagonal(const Source& source) {
     return drawn;
 }
 
-/// Lines in world coordinates, as a set in those of the layer.
+/// From world coordinates to those of the layer, whose D is `diagonal`.
 LineSet line_set_of(std::vector<laplacian_lines::ViewLine> lines, const Source& source,
                     double diagonal) {
     LineSet set;
@@ -100,7 +97,7 @@ LineSet strokes(const Source& source, const line_drawing::ViewFrame& frame,
 /// All lines of the view, also those that the surface hides.
 LineSet all_lines(const Source& source, const line_drawing::ViewFrame& frame,
                   const PolylineParameters& chosen, const meshlab_host::FilterRun& run) {
-    const View view = view_of(frame, chosen, source.to_world);
+    const laplacian_lines::View view = view_of(frame, chosen, source.to_world);
     const CMeshO& mesh = run.document.mm()->cm;
     meshlab_host::FieldSource field_source = meshlab_host::field_source(mesh);
     if (chosen.style.shows.needs_derivatives())
@@ -130,7 +127,7 @@ void add_layer(const LineSet& lines, const Source& source, const meshlab_host::K
     meshlab_host::to_edge_mesh(lines, layer->cm);
     meshlab_host::set_colors(lines, colors, layer->cm);
     meshlab_host::set_normals(source.triangles, layer->cm);
-    layer->cm.Tr = source.transform;
+    layer->cm.Tr.FromEigenMatrix(source.to_world);
     meshlab_host::show_as_lines(document, layer->id());
 }
 
@@ -147,7 +144,7 @@ QString kinds_text(const LineSet& lines) {
 }
 
 /// Records the eye, or the direction to it, for scripts; not how the window's picture was turned,
-/// nor its axis in perspective: strokes, whose kernel follows the picture's size, may differ then.
+/// nor its axis in perspective. So the picture's size, which the kernel follows, may differ.
 void record_view(const meshlab_host::FilterRun& run, PolylineParameters seen,
                  const line_drawing::ViewFrame& frame) {
     seen.view = frame.eye ? ViewChoice::Perspective : ViewChoice::Orthographic;

@@ -73,7 +73,7 @@ void take_from_decoration(Parameters& parameters) {
     parameters.colors = drawn.colors;
 }
 
-/// MeshLab's box includes vertices that lines ignore: not finite, or far beyond the rest.
+/// MeshLab's box includes vertices that are not finite, or so far off that no D reaches them.
 vcg::Box3d usable_box(const MeshModel& mesh) {
     vcg::Box3d box = vcg::Box3d::Construct(mesh.cm.bbox);
     if (box.IsNull() || box.Diag() < kLargestBox) return box;
@@ -95,9 +95,10 @@ PolylineParameters polyline_defaults(const MeshModel* mesh,
         result.viewpoint = window->eye;
         result.view_direction = window->towards_viewer;
     } else if (mesh) {
-        const vcg::Box3d box = usable_box(*mesh);
+        vcg::Box3d box;  // in world coordinates
+        box.Add(vcg::Matrix44d::Construct(mesh->cm.Tr), usable_box(*mesh));
         if (!box.IsNull()) {
-            const auto centre = mesh->cm.Tr * Point3m::Construct(box.Center());
+            const auto centre = Point3m::Construct(box.Center());
             result.viewpoint = Eigen::Vector3d(double(centre[0]), double(centre[1]),
                                                double(centre[2]) + 1.5 * box.Diag());
         }

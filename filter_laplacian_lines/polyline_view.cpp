@@ -5,6 +5,7 @@
 
 #include "laplacian_lines/error.h"
 #include "meshlab_host/camera.h"
+#include "window_frame.h"
 
 using line_drawing::ViewFrame;
 using meshlab_host::CurrentView;
@@ -35,9 +36,7 @@ ViewFrame frame_of(const PolylineParameters& chosen, const Eigen::Vector3d& cent
                     "There is no window with a current view. Set \"View\" to 3 (Front) or another "
                     "side, to 1 (Perspective) and give a viewpoint, or to 2 (Orthographic) and "
                     "give a view direction.");
-            return line_drawing::frame_of_axes(
-                "", window->towards_viewer, window->up,
-                window->is_orthographic ? std::nullopt : std::optional(window->eye));
+            return frame_of(*window, "");
         case ViewChoice::Perspective: {
             const Eigen::Vector3d back = chosen.viewpoint - centre;
             const Eigen::Vector3d towards_viewer =

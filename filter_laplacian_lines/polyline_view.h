@@ -25,7 +25,7 @@ QString view_text(const line_drawing::ViewFrame& frame, const PolylineParameters
 laplacian_lines::View view_of(const line_drawing::ViewFrame& frame,
                               const PolylineParameters& chosen, const Eigen::Matrix4d& layer);
 
-/// A warning if the eye is so near to a box in world coordinates that it does not see all of it.
+/// A warning if the eye does not see all of a box in world coordinates; empty without an eye.
 QString nearness_warning(const line_drawing::ViewFrame& frame, const Eigen::AlignedBox3d& box);
 
 /// Adds the camera, with which lines can be projected to a picture, in world coordinates:

@@ -58,7 +58,8 @@ WorldLayers copy_visible_layers(const FilterRun& run, double share) {
             placed.push_back(copy_layer(*layer, run, part(run.progress, begin, begin + step)));
         } catch (const Error& error) {
             if (error.code() == ErrorCode::Cancelled) throw;
-            run.say(QString("%1 is left out of the drawing: %2").arg(name, error.what()));
+            run.say(QString("%1 is left out of the drawing: %2")
+                        .arg(name, QString::fromUtf8(error.what())));
         }
     }
     if (placed.empty())

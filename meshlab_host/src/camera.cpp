@@ -52,7 +52,7 @@ Eigen::Matrix4d layer_transform(const CMeshO& mesh) {
 }
 
 std::optional<Similarity> similarity_of(const Eigen::Matrix4d& transform) {
-    constexpr double tolerance = 1e-4;  // MeshLab's transformations are floats
+    constexpr double tolerance = 1e-4;  // MeshLab's transformations may be floats
     const Eigen::Matrix3d linear = transform.topLeftCorner<3, 3>();
     const double factor = std::cbrt(linear.determinant());
     if (!(factor > 0) || !std::isfinite(factor)) return std::nullopt;

@@ -2,6 +2,7 @@
 #include "meshlab_host/decorate_plugin_base.h"
 
 #include <memory>
+#include <utility>
 
 #include "meshlab_host/documents.h"
 
@@ -14,6 +15,9 @@ bool exists(MeshModel& mesh) {
     MeshModel* volatile address = std::addressof(mesh);
     return address != nullptr;
 }
+
+/// For null. A variable, lest each redraw copy all of MeshLab's settings.
+const RichParameterList kNoParameters{};
 
 }  // namespace
 
@@ -33,7 +37,7 @@ bool DecoratePluginBase::startDecorate(ActionPointer, MeshModel& mesh,
     }
     if (MeshDocument* document = document_of(mesh))
         setLog(&document->Log);  // MeshLab may have set another, or none
-    return start(mesh, parameters ? *parameters : RichParameterList(), view);
+    return start(mesh, parameters ? *parameters : kNoParameters, view);
 }
 
 void DecoratePluginBase::decorateMesh(ActionPointer, MeshModel& mesh,
@@ -41,7 +45,7 @@ void DecoratePluginBase::decorateMesh(ActionPointer, MeshModel& mesh,
                                       QPainter* painter, GLLogStream& log) {
     if (!exists(mesh)) return;
     setLog(&log);  // switching the decoration off in another view has taken the log away
-    draw(mesh, parameters ? *parameters : RichParameterList(), view, painter, log);
+    draw(mesh, parameters ? *parameters : kNoParameters, view, painter, log);
 }
 
 void DecoratePluginBase::endDecorate(ActionPointer, MeshModel& mesh, const RichParameterList*,

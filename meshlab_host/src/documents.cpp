@@ -38,14 +38,6 @@ bool holds(const MeshDocument* document, const MeshModel& mesh) {
     return std::find(layers.begin(), layers.end(), &mesh) != layers.end();
 }
 
-/// MeshLab 2020.09 has a pointer to its history.
-[[maybe_unused]] FilterScript& itself(FilterScript* script) {
-    return *script;
-}
-[[maybe_unused]] FilterScript& itself(FilterScript& script) {
-    return script;
-}
-
 }  // namespace
 
 MLSceneGLSharedDataContext* scene_of(const MeshModel& mesh) {
@@ -60,7 +52,6 @@ MLSceneGLSharedDataContext* scene_of(const MeshModel& mesh) {
 }
 
 MLSceneGLSharedDataContext* scene_of(const MeshDocument& document) {
-    if (!qobject_cast<QApplication*>(QCoreApplication::instance())) return nullptr;
     for (QWidget* widget : QApplication::allWidgets())
         if (auto* scene = qobject_cast<MLSceneGLSharedDataContext*>(widget))
             if (&scene->meshDoc() == &document) return scene;
@@ -102,12 +93,15 @@ void write_on_view(GLLogStream& log, const QString& title, const QString& mesh,
 }
 
 void record_as(const QString& filter, const RichParameterList& parameters, MeshDocument& document) {
-    QTimer::singleShot(0, &document,
-                       [filter, parameters, &document] {  // some MeshLabs record afterwards
-                           FilterScript& history = itself(document.filterHistory);
-                           if (!history.isEmpty() && history.last().first == filter)
-                               history.last().second = parameters;
-                       });
+    QTimer::singleShot(0, &document, [=, &document] {  // some MeshLabs record afterwards
+#if MESHLAB_API < 2022
+        FilterScript& history = *document.filterHistory;
+#else
+        FilterScript& history = document.filterHistory;
+#endif
+        if (!history.isEmpty() && history.last().first == filter)
+            history.last().second = parameters;
+    });
 }
 
 }  // namespace meshlab_host

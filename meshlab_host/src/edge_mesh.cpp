@@ -58,7 +58,7 @@ void add_edges(const LineSet& lines, CMeshO& mesh) {
     }
 }
 
-/// By vertex, twice the area of its triangles long; zero without any, or where they are not finite.
+/// By vertex, the sum over its triangles of normals as long as twice their area, where finite.
 std::vector<Eigen::Vector3d> normals_of(const TriangleMesh& surface) {
     std::vector<Eigen::Vector3d> normals(surface.positions.size(), Eigen::Vector3d::Zero());
     for (const laplacian_lines::Triangle& t : surface.triangles) {

@@ -1,8 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The field in a mesh's attributes: a column is one or two attributes of the vertices, and a record
-// of the mesh has the options, a stamp of the geometry, and a hash of the attributes, which tells
-// whether another program changed them. Deleted vertices keep their places in MeshLab, but are not
-// in the field.
 #include "meshlab_host/field_attributes.h"
 
 #include <QStringList>

@@ -23,7 +23,7 @@ std::vector<double> option_values(laplacian_lines::PrecomputeOptions options) {
     return values;
 }
 
-/// What options did by themselves for this mesh, each after a comma; mostly empty.
+/// What was done for this mesh, each after a comma; empty for clean ones.
 QString automatic_steps_of(const Field& field, std::size_t faces) {
     QString steps;
     if (field.report.triangles != faces)
@@ -31,7 +31,7 @@ QString automatic_steps_of(const Field& field, std::size_t faces) {
     if (field.report.welded_vertices)
         steps += QString(", %1 vertices welded at cuts, cracks and sides without length")
                      .arg(field.report.welded_vertices);
-    if (field.report.roughness > 0)
+    if (field.report.roughness > 0 && field.scale.normal_sigma > 0)
         steps += QString(", roughness %1: normals smoothed by %2 % of the diagonal")
                      .arg(field.report.roughness, 0, 'f', 2)
                      .arg(100 * field.scale.normal_sigma / field.scale.diagonal, 0, 'f', 2);

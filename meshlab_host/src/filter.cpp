@@ -58,7 +58,7 @@ QString FilterPluginBase::run_catching_all(const Filter& filter, MeshDocument& d
     } catch (const std::bad_alloc&) {
         return "Not enough memory. The mesh was not changed.";
     } catch (const std::exception& error) {
-        return QString::fromLocal8Bit(error.what());
+        return QString::fromUtf8(error.what());
     } catch (...) {
         return "An unknown error occurred.";
     }

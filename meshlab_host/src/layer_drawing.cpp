@@ -11,8 +11,11 @@ namespace meshlab_host {
 
 namespace {
 
-/// As if nothing were sure to be in the depth buffer: no faces, and marks of up to 6 pixels.
-const LayerDrawing kUnknown = {false, false, 6};
+/// Size of points is that at the mesh's middle; with attenuation, nearer ones are larger.
+constexpr double kMostGrowth = 2;
+
+/// As if nothing were sure to be in the depth buffer: no faces, and points of 3 pixels, as usual.
+const LayerDrawing kUnknown = {false, false, 3 * kMostGrowth};
 
 /// Some of MeshLab's shaders draw faces without depth; their settings last until decorations are
 /// drawn.
@@ -23,12 +26,10 @@ bool faces_leave_depth() {
 }
 
 double largest_mark(const MLRenderingData& data, const MLPerViewGLOptions& options) {
-    // With attenuation this is the size at the mesh's middle; nearer points are larger.
-    constexpr double most_growth = 2;
     double pixels = 0;
     if (data.isPrimitiveActive(MLRenderingData::PR_POINTS))
         pixels = double(options._perpoint_pointsize) *
-                 (options._perpoint_pointattenuation_enabled ? most_growth : 1);
+                 (options._perpoint_pointattenuation_enabled ? kMostGrowth : 1);
     if (data.isPrimitiveActive(MLRenderingData::PR_WIREFRAME_TRIANGLES) ||
         data.isPrimitiveActive(MLRenderingData::PR_WIREFRAME_EDGES))
         pixels = std::max(pixels, double(options._perwire_wirewidth));

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Options as MeshLab's parameters, and back: numbers as they were written, not as floats have them;
-// values out of range are refused in the option's own words.
 #include "meshlab_host/parameters.h"
 
 #include <QColor>
@@ -18,12 +16,15 @@ using laplacian_lines::OptionValue;
 
 namespace {
 
-double as_written(float value) {
-    if (!std::isfinite(value)) return value;
+constexpr int kDigits = std::numeric_limits<float>::max_digits10;  // tell all floats apart
+
+/// Of floats the shortest decimal; others, which only Python has, stay.
+double as_written(double value) {
+    if (!std::isfinite(value) || double(float(value)) != value) return value;
     double decimal = value;
-    for (int digits = 6; digits <= std::numeric_limits<float>::max_digits10; ++digits) {
-        decimal = QString::number(double(value), 'g', digits).toDouble();
-        if (float(decimal) == value) break;
+    for (int digits = std::numeric_limits<float>::digits10; digits <= kDigits; ++digits) {
+        decimal = QString::number(value, 'g', digits).toDouble();
+        if (float(decimal) == float(value)) break;
     }
     return decimal;
 }
@@ -33,7 +34,7 @@ std::optional<double> as_number(const Value& value) {
     if (value.isBool()) return value.getBool() ? 1 : 0;
     if (value.isInt()) return value.getInt();
     if (value.isColor()) return value.getColor().rgb() & 0xffffff;
-    if (value.isFloat()) return as_written(float(value.getFloat()));
+    if (value.isFloat()) return as_written(value.getFloat());
 #if MESHLAB_API < 2022
     if (value.isEnum()) return value.getEnum();
     if (value.isAbsPerc()) return as_written(value.getAbsPerc());
@@ -67,15 +68,14 @@ double checked_number(const Value& value, const OptionDescription& option) {
     if (!result || std::isnan(*result)) refuse_value(option, "not a number");
     if (!(*result >= option.minimum && *result <= option.maximum) ||
         (!is_real(option) && *result != std::floor(*result)))
-        refuse_value(option, QString::number(*result).toStdString());
+        refuse_value(option, QString::number(*result, 'g', kDigits).toStdString());
     return *result;
 }
 
 Eigen::Vector3d checked_point(const Value& value, const OptionDescription& option) {
     if (!is_point(value)) refuse_value(option, "not a point");
     const Point3m p = point_in(value);
-    const Eigen::Vector3d point(as_written(float(p[0])), as_written(float(p[1])),
-                                as_written(float(p[2])));
+    const Eigen::Vector3d point(as_written(p[0]), as_written(p[1]), as_written(p[2]));
     if (!point.allFinite()) refuse_value(option, "not finite");
     if (option.kind == OptionKind::Direction && point.isZero(0)) refuse_value(option, "0 0 0");
     return point;
@@ -194,7 +194,7 @@ QString text_of(double value, const OptionDescription& option) {
         case OptionKind::Color:
             return QColor(QRgb(value)).name();
         default:
-            return QString::number(value, 'g', 9);
+            return QString::number(value, 'g', kDigits);
     }
 }
 

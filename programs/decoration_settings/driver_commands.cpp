@@ -35,8 +35,6 @@ QString setting_command(const QString& text) {
     refuse(QString("The decoration has no parameter \"%1\".").arg(name));
 }
 
-const QString kAll = "all";
-
 QStringList tick(const LineKindSet& kinds) {
     QStringList commands = {command("Lines", "As Ticked Below")};
     for (const LineKindDescription& kind : laplacian_lines::kLineKinds)
@@ -44,11 +42,11 @@ QStringList tick(const LineKindSet& kinds) {
     return commands;
 }
 
-QString label_of(const QString& name) {
+/// Of a kind, by its key; of others as given.
+QString label_of(const QString& name, const QString& other) {
     for (const LineKindDescription& kind : laplacian_lines::kLineKinds)
         if (name == kind.key) return kind.label;
-    const auto* mixture = laplacian_lines::mixture_named(name.toStdString());
-    return mixture ? QString(mixture->label) : name;
+    return other;
 }
 
 QStringList mixture_keys() {
@@ -64,9 +62,9 @@ bool can_be_ticked(const LineKindSet& kinds) {
 
 ComparedPicture picture_of(const QString& name) {
     if (const auto* mixture = laplacian_lines::mixture_named(name.toStdString()))
-        return {label_of(name), {command("Lines", mixture->label)}};
+        return {label_of(name, mixture->label), {command("Lines", mixture->label)}};
     const auto kinds = laplacian_lines::kinds_named(name.toStdString());
-    if (kinds && can_be_ticked(*kinds)) return {label_of(name), tick(*kinds)};
+    if (kinds && can_be_ticked(*kinds)) return {label_of(name, name), tick(*kinds)};
     laplacian_lines::refuse(
         QString("there is no picture of lines \"%1\". Name some of usual, %2, or all; or ridges, "
                 "creases, borders, laplacian_lines, with + between what is to be in one.")
@@ -86,7 +84,7 @@ QStringList setting_commands(const QStringList& settings) {
 std::vector<ComparedPicture> compared_pictures(const QString& names) {
     QStringList wanted;
     for (const QString& name : names.split(','))
-        if (name.trimmed() == kAll)  // each mixture except that of all kinds
+        if (name.trimmed() == "all")  // each mixture except that of all kinds
             wanted << mixture_keys().mid(0, int(laplacian_lines::kLineMixtures.size()) - 1);
         else
             wanted << name.trimmed();

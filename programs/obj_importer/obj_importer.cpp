@@ -51,7 +51,7 @@ QString read(const QString& file_name, MeshModel& mesh, int& mask, vcg::CallBack
     const QByteArray name = QFile::encodeName(file_name);
     Reader::Info info;
     info.cb = progress;
-    if (!Reader::LoadMask(name, info)) throw std::runtime_error("The file is empty.");
+    if (!Reader::LoadMask(name, info)) throw std::runtime_error("The file is empty or unreadable.");
     mesh.Enable(info.mask);
     const int result = Reader::Open(mesh.cm, name, info);
     if (Reader::ErrorCritical(result)) throw std::runtime_error(Reader::ErrorMsg(result));
@@ -101,8 +101,8 @@ bool ObjImporter::open(const QString&, const QString& file_name, MeshModel& mesh
         errorMessage = read(file_name, mesh, mask, progress);
         return true;
     } catch (const std::exception& error) {
-        errorMessage = error.what();
-        std::fprintf(stderr, "%s: %s\n", qUtf8Printable(file_name), error.what());  // meshlabserver
+        errorMessage = error.what();  // which meshlabserver does not show
+        std::fprintf(stderr, "%s: %s\n", qUtf8Printable(file_name), error.what());
         return false;
     }
 }

@@ -55,6 +55,10 @@ TEST(PolylineView, DefaultsSeeAllFromOutside) {
     const ViewFrame frame = frame_of(chosen, far_box.center(), std::nullopt);
     EXPECT_TRUE(nearness_warning(frame, far_box).isEmpty());
     EXPECT_GT(chosen.viewpoint.z(), 33);
+    mesh->cm.Tr.SetScale(100, 100, 100);
+    const Eigen::AlignedBox3d larger(100 * far_box.min(), 100 * far_box.max());
+    chosen.viewpoint = polyline_defaults(mesh, std::nullopt).viewpoint;
+    EXPECT_TRUE(nearness_warning(frame_of(chosen, larger.center(), {}), larger).isEmpty());
 }
 
 TEST(PolylineView, WarnsOfEyesWithinTheBoxOrCloseToIt) {

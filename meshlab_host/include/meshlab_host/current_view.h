@@ -14,9 +14,8 @@ struct CurrentView {
     Eigen::Vector3d up;              ///< unit, of the picture
 };
 
-/// The view with the marked border, to which menus apply; empty in programs without GL views.
-/// MeshLab hands filters no view, but GL views answer Qt signals that ask for their camera. GUI
-/// thread only.
+/// The view with the marked border, to which menus apply; empty if there is none. MeshLab hands
+/// filters no view, but GL views have a slot that sends their camera as a signal. GUI thread only.
 std::optional<CurrentView> current_view();
 
 }  // namespace meshlab_host

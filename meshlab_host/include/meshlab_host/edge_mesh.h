@@ -12,7 +12,7 @@ namespace meshlab_host {
 /// line's last point is its first vertex. Per vertex, as Scalarm:
 ///     ll_line                          number of the line, from 0
 ///     ll_kind                          laplacian_lines::LineKind of the line, as a number
-///     ll_strength, ll_slope            of the line, see Polyline
+///     ll_strength, ll_slope            of the line, see Polyline; no slope is below 0
 ///     ll_weight, ll_gradient, ll_opacity   of the point, see LinePoint
 /// and as quality weight times opacity, the point's ink.
 void to_edge_mesh(const laplacian_lines::LineSet& lines, CMeshO& mesh);

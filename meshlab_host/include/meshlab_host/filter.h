@@ -45,7 +45,7 @@ struct Filter {
     FilterDescription description;
     /// Adds the parameters with defaults for this mesh, which may be null.
     void (*list_parameters)(const MeshModel* mesh, RichParameterList& list);
-    /// May throw anything: the user reads what(), the caller gets a failed filter.
+    /// May throw anything: the user reads what(), UTF-8, the caller gets a failed filter.
     void (*run)(const FilterRun& run);
 };
 using FilterList = std::vector<Filter>;

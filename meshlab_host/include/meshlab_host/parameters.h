@@ -6,8 +6,8 @@
 
 namespace meshlab_host {
 
-// MeshLab parameters from tables of options: one per row, named by a prefix and its key. MeshLab's
-// numbers are floats; they are read back as the shortest decimal, so that 0.07 stays 0.07.
+// MeshLab parameters from tables of options: one per row, named by a prefix and its key. Floats are
+// read back as the shortest decimal, so that 0.07 stays 0.07; numbers from Python may be doubles.
 
 /// Help, HTML without paragraphs, so that MeshLab wraps it in a tool tip.
 QString tool_tip(const QString& help);
@@ -39,7 +39,7 @@ void read_parameter(const laplacian_lines::OptionRow<Options>& row, Options& opt
 /// names label, text and what is allowed
 double number_in(const QString& text, const laplacian_lines::OptionDescription& option);
 
-/// As its field in a dialog shows `value`, which is in the option's range.
+/// What number_in() takes for `value`, which is in the option's range.
 QString text_of(double value, const laplacian_lines::OptionDescription& option);
 
 }  // namespace meshlab_host
