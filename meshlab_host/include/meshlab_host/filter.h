@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <wrap/callback.h>
-
 #include <Eigen/Core>
 #include <QVariant>
 #include <functional>
