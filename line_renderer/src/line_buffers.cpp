@@ -17,8 +17,6 @@ void point_attribute(LineAttribute attribute, GLint floats, GLsizei stride, std:
     set_divisor(attribute, divisor);
 }
 
-constexpr LineAttribute kFourPoints[] = {Before, Start, End, After};
-
 GLsizeiptr bytes(std::size_t points) {
     return GLsizeiptr(points * sizeof(StreamPoint));
 }
@@ -89,7 +87,7 @@ void LineBuffers::bind(std::size_t first) const {
     glBindBuffer(GL_ARRAY_BUFFER, stream_);
     const std::size_t begin = first * sizeof(StreamPoint);
     std::size_t offset = begin;
-    for (LineAttribute attribute : kFourPoints) {
+    for (LineAttribute attribute : {Before, Start, End, After}) {
         point_attribute(attribute, 4, sizeof(StreamPoint), offset, 1);
         offset += sizeof(StreamPoint);
     }

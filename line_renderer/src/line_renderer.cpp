@@ -19,11 +19,11 @@
 namespace line_renderer {
 namespace {
 
-/// A line is visible if the surface is behind it at most so many pixels beside it: less than half
-/// an outline's width, which hides the parts below it.
+/// A line is visible if the surface is behind it there or so many pixels to either side: less than
+/// half an outline's width, which hides the parts below it.
 constexpr double kToSide = 1.5;
 
-/// Half a pixel's diagonal.
+/// Of a square, in its sides.
 constexpr double kHalfDiagonal = 0.7072;
 
 /// Hidden lines: length of a dash and its period, pixels.

@@ -16,7 +16,7 @@ namespace line_renderer {
 // For every pixel of the rectangle the fragment shader takes
 //  5. the share that the segment covers, between its cuts and in its dashes, and
 //  6. whether it is seen: whether the point in the middle of the line is in front of the surface
-//     there and a little to either side. So a line is drawn in full width or not at all, even along
+//     there or a little to either side. So a line is drawn in full width or not at all, even along
 //     an outline, where the surface would hide its inner half. Where a contour follows a mesh edge,
 //     its surface ends there on the screen: the bias is only a few pixels, for surfaces that it
 //     stands on, and to the side depths are compared up to a pixel whose centre is beyond. So a
@@ -28,7 +28,7 @@ namespace line_renderer {
 // so that only objects well in front hide lines.
 const char* const kLineVertexShader = R"(#version 120
 attribute vec2 corner;  // x: 0 at the start, 1 at the end; y: -1 or 1, side
-attribute vec4 before;  // mesh coordinates, radius in pixels or a negative mark
+attribute vec4 before;  // as a StreamPoint: position, radius in pixels or a negative mark
 attribute vec4 start;
 attribute vec4 end;
 attribute vec4 after;
@@ -111,7 +111,8 @@ float depth_beside(vec2 screen, vec2 across)
     return texture2DLod(surface_depth, clamp(pixel, pixels.xy, pixels.zw) * texel, 0.0).r;
 }
 
-// The line's radius: the share within, unless it is an outline, with nothing on one side of it.
+// The line's radius: the share within, unless it is an outline, with background 3 pixels beside it;
+// narrower gaps between surfaces do not count.
 float radius_at(vec2 screen, vec2 across, float radius, float share_within)
 {
     if (share_within == 1.0)

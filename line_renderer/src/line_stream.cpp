@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Lines as the vertex shader reads them: all points one behind the other, each line between two
-// neighbours that are no part of it. Points are left out where the line between others differs by
-// less than the tolerances (straight_piece.h). Outlines come last, to lie on top of the others;
-// threads write parts of the stream.
+// marked ones, to which no segment is drawn. Points are left out where the line between others
+// differs by less than the tolerances (straight_piece.h). Outlines come last, to lie on top of the
+// others; threads write parts of the stream.
 #include "line_stream.h"
 
 #include <Eigen/Geometry>

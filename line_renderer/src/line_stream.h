@@ -31,7 +31,7 @@ struct LineTolerance {
 /// Input of the vertex shader, four consecutive points a call: it draws the segment between the
 /// middle two, joined to the outer two.
 struct StreamPoint {
-    float position[3];  ///< mesh coordinates
+    float position[3];  ///< mesh coordinates, less the set's origin
     float radius;       ///< pixels, or one of the marks
     float opacity;
     float look;   ///< the number of the line's kind, and the mark of what begins here

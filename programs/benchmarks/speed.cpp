@@ -17,6 +17,7 @@
 #include "laplacian_lines/threads.h"
 #include "line_drawing/make_sheet.h"
 #include "line_drawing/view_painter.h"
+#include "line_drawing/words.h"
 #include "mesh_files/mesh_file.h"
 
 namespace {
@@ -28,7 +29,8 @@ constexpr double kOrbitRadius = 1.25;  // in diagonals
 constexpr int kWindow = 1000;          // pixels
 
 TriangleMesh read_mesh(const std::string& name) {
-    const auto format = mesh_files::format_of(name.substr(name.rfind('.') + 1));
+    const auto format =
+        mesh_files::format_of(line_drawing::lower(name.substr(name.rfind('.') + 1)));
     std::ifstream file(name, std::ios::binary);
     if (!file || !format) throw std::runtime_error(name + " is no mesh that can be read");
     const std::string bytes{std::istreambuf_iterator<char>(file), {}};
@@ -127,7 +129,7 @@ void add_redraw(const std::string& name, const Subject& of, const LineKindSet& s
     })->Unit(benchmark::kMicrosecond);
 }
 
-/// `full` has derivatives, which take memory even from kinds that do not need them.
+/// `full` has derivatives, and is for kinds that need them: they take memory.
 void add_redraws(const Subject& plain, const Subject& full) {
     for (const LineKindDescription& kind : kLineKinds)
         add_redraw(kind.key, kind.needs_derivatives ? full : plain, only_kinds({kind.kind}), 1);
@@ -140,20 +142,20 @@ void add_redraws(const Subject& plain, const Subject& full) {
     })->Unit(benchmark::kMicrosecond);
 }
 
+/// Of work on all threads.
+template <class Work>
+void add_long(const char* name, Work work) {
+    add(name, work)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+}
+
 void add_once_a_mesh(const Subject& of) {
-    const auto add_long = [](const char* name, auto work) {
-        add(name, [work](std::size_t) mutable { work(); })
-            ->Unit(benchmark::kMillisecond)
-            ->MeasureProcessCPUTime()
-            ->UseRealTime();
-    };
-    add_long("field", [&of] { precompute(of.mesh); });
+    add_long("field", [&of](auto) { precompute(of.mesh); });
     add_long("derivatives",
-             [&of, field = of.field]() mutable { add_curvature_derivatives(of.mesh, field); });
-    add_long("extractor", [&of] { LineExtractor(of.mesh, of.field); });
+             [&of, field = of.field](auto) mutable { add_curvature_derivatives(of.mesh, field); });
+    add_long("extractor", [&of](auto) { LineExtractor(of.mesh, of.field); });
     line_drawing::SheetOptions options;
     options.views = line_drawing::parse_views("30,20", options.up);
-    add_long("view_on_paper", [&of, options] {
+    add_long("view_on_paper", [&of, options](auto) {
         line_drawing::make_sheets({{of.mesh, &of.field}}, {options});
     });
 }
@@ -165,13 +167,9 @@ void add_view_at_rest(const Subject& of) {
         windows.push_back(window_of(view.eye, of.mesh));
     auto painter = std::make_shared<line_drawing::ViewPainter>(
         line_drawing::Objects{{of.mesh, &of.field, {}, &of.extractor}});
-    add("view_at_rest",
-        [painter, windows](std::size_t i) {
-            painter->paint(windows[i % windows.size()], {}, {line_drawing::Ink()}, true);
-        })
-        ->Unit(benchmark::kMillisecond)
-        ->MeasureProcessCPUTime()
-        ->UseRealTime();
+    add_long("view_at_rest", [painter, windows](std::size_t i) {
+        painter->paint(windows[i % windows.size()], {}, {line_drawing::Ink()}, true);
+    });
 }
 
 }  // namespace

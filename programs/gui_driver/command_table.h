@@ -13,7 +13,7 @@ namespace driver {
 
 /// A line of a script: NAME REST.
 struct Command {
-    int line = 0;
+    int line = 0;  ///< from 1; 0 for a part of `together`
     QString name;
     QString rest;
     QStringList words;  ///< of the rest
@@ -40,7 +40,7 @@ struct NotYet {};
 enum class Boxes {
     Errors,    ///< it is not started while there is one, and fails if it opens one
     Answered,  ///< the runner accepts those that it opens, and records their texts
-    Subject    ///< it needs one
+    Subject    ///< it may be started while there is one, which is left to it
 };
 
 struct CommandHandler {

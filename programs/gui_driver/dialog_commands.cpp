@@ -62,7 +62,7 @@ Widgets find_editors(QWidget* container, const QString& name) {
 }
 
 template <class Editor>
-Editor* only(const Widgets& widgets) {
+Editor* first_of(const Widgets& widgets) {
     for (QWidget* widget : widgets)
         if (auto* editor = qobject_cast<Editor*>(widget)) return editor;
     return nullptr;
@@ -114,13 +114,13 @@ void set_field(QWidget* container, const Command& command) {
     const QString name = command.rest.section('=', 0, -2).trimmed();
     const QString value = command.rest.section('=', -1).trimmed();
     const Widgets editors = find_editors(container, name);
-    if (auto* check_box = only<QCheckBox>(editors))
+    if (auto* check_box = first_of<QCheckBox>(editors))
         set_check_box(check_box, value);
-    else if (auto* combo_box = only<QComboBox>(editors))
+    else if (auto* combo_box = first_of<QComboBox>(editors))
         set_combo_box(combo_box, value);
-    else if (auto* edit = only<QLineEdit>(editors))
+    else if (auto* edit = first_of<QLineEdit>(editors))
         set_line_edit(edit, value);
-    else if (auto* button = only<QPushButton>(editors))
+    else if (auto* button = first_of<QPushButton>(editors))
         set_color(button, value);
     else
         throw CommandError(QString("the field '%1' cannot be set").arg(name));
@@ -181,8 +181,8 @@ void expect_modal(QWidget* modal, const Command& command) {
         throw CommandError("the box says: " + describe_box(modal));
 }
 
-/// Of one layer, on white, which is entry 2 of the backgrounds. MeshLab adds two digits, the
-/// counter, to the base name.
+/// The view on white, entry 2 of the backgrounds, counted from 0. Returns the file: MeshLab adds
+/// two digits, the counter, to the base name.
 QString fill_snapshot_box(QWidget* box, const QFileInfo& target, int tiles) {
     const struct {
         const char *name, *property;
@@ -217,10 +217,10 @@ void take_snapshot(const Command& command) {
         }
     });
     QMetaObject::invokeMethod(require_main_window(), "saveSnapshot", Qt::DirectConnection);
-    if (!error.isEmpty()) throw CommandError(error);
     // MeshLab draws tiles later, one per repaint. The time limit ends this otherwise.
-    while (!QFileInfo(written).size())
+    while (error.isEmpty() && !QFileInfo(written).size())
         QApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 50);
+    if (!error.isEmpty()) throw CommandError(error);
     QFile::remove(target.absoluteFilePath());
     if (!QFile::rename(written, target.absoluteFilePath()))
         throw CommandError("cannot write " + target.filePath());

@@ -33,8 +33,7 @@ std::pair<QString, bool> invoke(const char* slot, const Command& command) {
     throw CommandError(sentence);
 }
 
-/// MeshLab's message boxes are an error only if there is no mesh afterwards. The caller reports the
-/// file.
+/// MeshLab's message boxes are an error only if there is no mesh afterwards. ./run names the file.
 void load(const Command& command) {
     const std::size_t before = layers().size();
     const auto [said, is_loaded] = invoke("importMeshWithLayerManagement", command);
@@ -68,14 +67,14 @@ void say_warnings() {
     told = log.size();
 }
 
-QAction* drawn() {
+QAction* switch_on() {
     QAction* action = require_action(kDecoration);
     if (!action->isChecked()) action->trigger();
     return action;
 }
 
 void draw_lines(const Command&) {
-    const QAction* action = drawn();
+    const QAction* action = switch_on();
     say_warnings();
     if (action->isChecked()) return;
     const QString reason = refusal();
@@ -86,7 +85,7 @@ void draw_lines(const Command&) {
 void draw_all_lines(const Command&) {
     for (const MeshModel* layer : layers()) {
         shown_document()->setCurrentMesh(layer->id());
-        drawn();
+        switch_on();
     }
 }
 

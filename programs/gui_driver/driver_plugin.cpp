@@ -5,7 +5,7 @@
 #include "meshlab_host/decorate_plugin_base.h"
 #include "process.h"
 
-/// Drives MeshLab from a script, for tests and pictures: see README.md. A plugin without any
+/// Drives MeshLab from a script, for ./run and tests: see README.md. A plugin without any
 /// decoration, which does nothing unless LAPLACIAN_LINES_DRIVER names a script.
 class DriverPlugin : public meshlab_host::DecoratePluginBase {
     Q_OBJECT

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "command_table.h"
@@ -26,21 +25,24 @@ using Points = std::vector<Eigen::Vector3d>;
 
 constexpr double kMargin = 0.05;       // of the shorter side
 constexpr double kLinePixels = 2;      // an outline lies half outside the form
-constexpr std::size_t kFewPoints = 8;  // each of which may be at a side
-constexpr double kLeastShare = 1e-4;   // of the box of all, of what is in its middle
+constexpr std::size_t kFewPoints = 8;  // of fewer, each may be at a side of the box
+constexpr double kLeastShare = 1e-4;   // of the diagonal of all points, for that of most
 
 /// The position and direction of MeshLab's camera, in floats as there.
 struct CameraPlace {
     Eigen::Matrix3f axes;    // in the scene: rows right, up, and towards the viewer
     Eigen::Vector3f target;  // any point in the middle of the picture
     double distance;         // of the eye from it; if orthographic, half of the picture's height
-    double angle;            // from the bottom of the picture to its top; kOrthographicAngle
+    double angle;  // degrees from the picture's bottom to its top; orthographic up to 5, as there
     double farthest_behind = 0;  // depth of the scene behind the target
 };
 constexpr double kPerspectiveAngle = 60, kOrthographicAngle = 5;  // degrees, as MeshLab has them
 
+// MeshLab's pictures have this half height at the target, in units of the view's scale.
+constexpr double kHalfHeight = 1.75;
+
 // The share of the distance from eye to target that is clipped, and how far before the target an
-// orthographic camera clips, in half heights of the picture.
+// orthographic camera shows, in half heights: its eye stands 8 units before it.
 constexpr double kNearestShown = 0.1, kOrthographicDepth = 4;
 
 /// Corners of a layer's faces, in the scene.
@@ -65,10 +67,11 @@ Eigen::AlignedBox3d box_of(const Points& points) {
     return box;
 }
 
-/// Diagonal of the points' bounding box, without a hundredth of them on each side.
+/// Diagonal of the points' bounding box, without a hundredth of them, and one, on each side; of all
+/// if they are few.
 double diagonal_of_most(const Points& points) {
-    const std::size_t aside = points.size() / 100 + 1;
     if (points.size() < kFewPoints) return box_of(points).diagonal().norm();
+    const std::size_t aside = points.size() / 100 + 1;
     Eigen::Vector3d sizes;
     std::vector<double> coordinates(points.size());
     for (int k = 0; k < 3; ++k) {
@@ -123,7 +126,8 @@ Eigen::Vector2d window_within_margin(const QSize& view) {
 }
 
 /// How far from the origin an eye has to be to show all points within the window along an axis of
-/// the picture: p is, at a distance of 1, if |p[axis] - eye[axis]| <= half_size (eye.z - p.z).
+/// the picture: p is if |p[axis] - eye[axis]| <= half_size (eye.z - p.z). `half_size` is that of
+/// the window, at a distance of 1.
 double least_distance(const Points& points, int axis, double half_size) {
     double left = -std::numeric_limits<double>::infinity(), right = left;
     for (const Eigen::Vector3d& p : points) {
@@ -151,9 +155,11 @@ double middle_seen_from(double distance, const Points& points, int axis) {
     return eye;
 }
 
-/// The next distance that the mouse wheel reaches from MeshLab's first camera, in quarter notches.
+/// The next distance that the mouse wheel reaches, in quarter notches, from MeshLab's first camera,
+/// which shows diagonals as 3 units long.
 double wheel_distance(double least, double diagonal) {
-    const double first = diagonal * 1.75 / 3 / std::tan(qDegreesToRadians(kPerspectiveAngle / 2));
+    const double first =
+        diagonal * kHalfHeight / 3 / std::tan(qDegreesToRadians(kPerspectiveAngle / 2));
     const double step = std::pow(1.2, 0.25);
     return first * std::pow(step, std::ceil(std::log(least / first) / std::log(step)));
 }
@@ -172,6 +178,8 @@ CameraPlace perspective_place(const Points& points, const Eigen::Vector2d& windo
     place.target << float(middle_seen_from(place.distance, points, 0)),
         float(middle_seen_from(place.distance, points, 1)), 0;
     place.angle = 2 * qRadiansToDegrees(std::atan(tangent / zoom));
+    if (place.angle <= kOrthographicAngle)
+        throw CommandError("MeshLab has no such zoom in perspective");
     return place;
 }
 
@@ -211,22 +219,20 @@ QString row(const Eigen::Vector3f& v, int last) {
         .arg(last);
 }
 
-/// MeshLab's camera shows a ball of this radius, in units of the view's scale, around its pivot.
-constexpr double kBallRadius = 1.75;
-
+/// Units of the view's scale: from there a ball as wide as the picture's height just fits into it.
 double ball_distance(double angle) {
-    return kBallRadius / std::sin(qDegreesToRadians(angle / 2));
+    return kHalfHeight / std::sin(qDegreesToRadians(angle / 2));
 }
 
-// MeshLab measures depths in the view's scale: it has to grow with the distance, for the same
-// clipping as when its own camera zooms.
+// MeshLab clips at depths in the view's scale, which is therefore inverse to the distance, as when
+// its own camera zooms.
 void place_camera(const CameraPlace& place) {
     QDomDocument document = view_from_clip();
     QDomElement camera = document.elementsByTagName("VCGCamera").at(0).toElement();
     QDomElement settings = document.elementsByTagName("ViewSettings").at(0).toElement();
     const bool is_orthographic = place.angle <= kOrthographicAngle;
     const double depth = ball_distance(kPerspectiveAngle);
-    const double scale = (is_orthographic ? kBallRadius : depth) / place.distance;
+    const double scale = (is_orthographic ? kHalfHeight : depth) / place.distance;
     const double eye = is_orthographic ? ball_distance(kOrthographicAngle) / scale : place.distance;
     settings.setAttribute("TrackScale", scale);
     settings.setAttribute("NearPlane", kNearestShown * depth);
@@ -268,23 +274,19 @@ void frame(const Command& command) {
     place_camera(place);
 }
 
-/// z if the surfaces are clearly higher along it than wide, as many scans of figures are; else
-/// MeshLab's y. Without a surface there is none.
-std::optional<QString> likely_up() {
-    constexpr double least_height = 1.3;  // in the larger of the other sizes
-    try {
-        const Eigen::Vector3d sizes = box_of(all_corners()).sizes();
-        return sizes.z() > least_height * std::max(sizes.x(), sizes.y()) ? "z" : "y";
-    } catch (const CommandError&) {
-        return std::nullopt;
-    }
-}
-
-// [UP]: MeshLab's first view has the front already if y is up.
+// [UP]: without one z if the surfaces are clearly higher along it than wide, as many scans of
+// figures are. MeshLab's first view has the front already if y is up.
 void frame_upright(const Command& command) {
-    const std::optional<QString> likely = likely_up();
-    const QString up = command.words.value(0, likely.value_or("y"));
-    if (likely && up != "y") frame(parse_line("frame 0 0 " + up));
+    constexpr double least_height = 1.3;  // in the larger of the other sizes
+    Eigen::Vector3d sizes;
+    try {
+        sizes = box_of(all_corners()).sizes();
+    } catch (const CommandError&) {
+        return;  // there is nothing to look at
+    }
+    const bool is_high = sizes.z() > least_height * std::max(sizes.x(), sizes.y());
+    const QString up = command.words.value(0, is_high ? "z" : "y");
+    if (up != "y") frame(parse_line("frame 0 0 " + up));
 }
 
 }  // namespace

@@ -17,10 +17,10 @@ QMainWindow* main_window();          ///< null before it exists
 QMainWindow* require_main_window();  ///< CommandError when there is none
 
 /// The chosen GL view of the current document, counted from upper left to lower right; the first by
-/// default. Null when there is none.
+/// default, the last if there are fewer now. Null when there is none.
 QGLWidget* view();
-QGLWidget* require_view();
-void choose_view(int index);
+QGLWidget* require_view();       ///< CommandError when there is none
+void choose_view(int index);     ///< CommandError when there are not so many
 MeshDocument* shown_document();  ///< the view's; null without one
 
 QWidget* filter_dialog();                      ///< CommandError when none is open

@@ -2,7 +2,6 @@
 // Runs a script, one command after the other, in MeshLab's own event loop: a command may open a
 // box, in whose event loop the next ones run, and one that has to wait is tried again.
 #include <QApplication>
-#include <QMainWindow>
 #include <QProgressBar>
 #include <QTimer>
 
@@ -14,7 +13,7 @@ namespace driver {
 namespace {
 
 constexpr int kBetweenCommands = 60;  // ms, so that MeshLab's own queued events run first
-constexpr int kBetweenRetries = 50;
+constexpr int kBetweenRetries = 50;   // ms
 
 std::string describe(const Command& command) {
     const QString text =
@@ -27,7 +26,6 @@ std::string describe(const Command& command) {
     end_with_error(describe(command) + ": " + why.what());
 }
 
-// Runs the script's commands in MeshLab's event loop.
 class Runner : public QObject {
 public:
     Runner(QVector<Command> script, CommandTable table, QObject* parent);
@@ -84,7 +82,7 @@ void Runner::schedule_step(int milliseconds) {
 void Runner::step() {
     QWidget* window = main_window();
     if (!window || !window->isVisible()) return schedule_step(kBetweenRetries);
-    if (next_ == 0)
+    if (watched_line_ == 0)  // before the first command
         for (QProgressBar* bar : window->findChildren<QProgressBar*>())
             connect(bar, &QProgressBar::valueChanged, this, [] { restart_watch(); });
     QWidget* modal = QApplication::activeModalWidget();

@@ -10,7 +10,6 @@
 
 #include "command_table.h"
 #include "gui.h"
-#include "process.h"
 
 namespace driver {
 namespace {

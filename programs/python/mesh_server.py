@@ -48,7 +48,7 @@ def run_script(meshes, name):
 
 
 def save(meshes, file, masks=(), layer=("x",)):
-    """The current layer is x."""
+    """Layer x is the current one."""
     check(meshes.mesh_number(), "There is no mesh to save.")
     check(all(mask in MASKS for mask in masks), f"-m knows {' '.join(MASKS)}, not all of {' '.join(masks)}")
     current = meshes.current_mesh_id()

@@ -104,7 +104,8 @@ const LineExtractor& Surface::extractor(const LineStyle& style, const Progress& 
         Field field = known;  // as a whole or not at all
         add_curvature_derivatives(drawn, field, progress);
         extractor_->add_derivatives(drawn, field);
-        known = std::move(field);
+        known.smooth_curvatures = std::move(field.smooth_curvatures);  // the rest is read unlocked
+        known.curvature_derivatives = std::move(field.curvature_derivatives);
     }
     return *extractor_;
 }

@@ -32,9 +32,9 @@ public:
     /// The current viewport's depths, copied once a redraw.
     DepthTexture copy();
 
-    /// Renders the nearest faces of all layers in the current viewport, where the depth buffer has
-    /// points and wires, which stand out, or no faces. Needs the camera's matrices current. Redraws
-    /// only after changes. @throws std::runtime_error if OpenGL cannot do it
+    /// Renders the nearest faces of all layers in the current viewport, for when the depth buffer
+    /// has points and wires, which stand out, or lacks faces. Needs the camera's matrices current.
+    /// Redraws only after changes. @throws std::runtime_error if OpenGL cannot do it
     DepthTexture update(const std::vector<SurfaceLayer>& layers, SurfaceBuffers& buffers);
 
 private:

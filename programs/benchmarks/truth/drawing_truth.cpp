@@ -17,14 +17,14 @@ namespace {
 using namespace benchmarks;
 
 constexpr double kTolerance = 0.25;       // mm
-constexpr double kFineDeflection = 0.1;   // up to this one, a mesh has no tolerance of its own
+constexpr double kFineDeflection = 0.1;   // mm; up to it a mesh has no tolerance of its own
 constexpr double kCoverTolerance = 0.15;  // mm, from the silhouette of the mesh itself
 constexpr double kLeastJump = 0.5;        // mm of depth
 constexpr std::size_t kWorstCount = 10;
 
 // Limits of --check, for all drawings of meshes of one deflection.
 constexpr double kLeastRecall = 0.995, kLeastPrecision = 0.998;  // means of the drawings
-constexpr double kMostLoose = 0.025;
+constexpr double kMostLoose = 0.025;  // of all ends; likewise of all places:
 constexpr double kMostBareBorder = 1e-4, kMostBareJumps = 0.015;
 
 struct Drawing {

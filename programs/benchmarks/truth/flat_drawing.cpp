@@ -14,7 +14,7 @@ using laplacian_lines::TriangleMesh;
 using line_drawing::ViewFrame;
 
 constexpr double kFlatness = 0.002;  // mm
-constexpr double kUpperMargin = 10;  // mm, above a view on a sheet that fits it
+constexpr double kUpperMargin = 10;  // mm, above a view: kSheetMargin of sheet_layout.h
 
 line_drawing::SheetOptions options_of(const ViewFrame& frame) {
     line_drawing::SheetOptions options;

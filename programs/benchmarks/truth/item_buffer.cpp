@@ -60,7 +60,7 @@ void ItemBuffer::fill(std::uint32_t item, const Eigen::Matrix3d& c) {
     const double longest =
         std::max({b.head<2>().norm(), d.head<2>().norm(), (d - b).head<2>().norm()});
     const double height = longest > 0 ? std::abs(area) / longest : 0;
-    if (height < 1e-6) return;
+    if (height < 1e-6) return;  // pixels; the plane would be noise
     Plane& plane = planes_[item];
     plane.by_x = (b.z() * d.y() - d.z() * b.y()) / area;
     plane.by_y = (d.z() * b.x() - b.z() * d.x()) / area;
@@ -78,8 +78,8 @@ void ItemBuffer::fill(std::uint32_t item, const Eigen::Matrix3d& c) {
     }
 }
 
-/// Calls test(a, b) with the numbers of pixels of which b is right of a or above it; returns the
-/// middles between those for which it is true.
+/// Calls test(x, y, x2, y2) for pixels of which the second is right of the first or above it;
+/// returns the middles between those for which it is true.
 template <class Test>
 PlaneLine ItemBuffer::between_pixels(Test test) const {
     PlaneLine places;

@@ -14,7 +14,7 @@ namespace {
 
 /// Packed bytes begin with the length of what they hold, its highest byte first.
 std::string unpacked(const std::string& packed) {
-    constexpr std::size_t head = 4, most_growth = 1032;
+    constexpr std::size_t head = 4, most_growth = 1032;  // zlib's
     uLongf size = 0;
     for (const char c : packed.substr(0, head))
         size = size << 8 | static_cast<unsigned char>(c);
@@ -26,7 +26,7 @@ std::string unpacked(const std::string& packed) {
     return code == Z_OK ? bytes : std::string();
 }
 
-/// Of processors whose lowest byte comes first.
+/// For processors that store numbers as the file does, with the lowest byte first.
 class PartReader {
 public:
     explicit PartReader(std::string bytes) : bytes_(std::move(bytes)) {}

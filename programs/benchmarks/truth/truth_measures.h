@@ -18,8 +18,6 @@ using PlanePoint = Eigen::Vector2d;
 using PlaneLine = std::vector<PlanePoint>;
 using PlaneLines = std::vector<PlaneLine>;
 
-double length_of(const PlaneLine& line);
-
 /// Calls use(begin, end) for pieces of at most `step`.
 template <class Use>
 void for_each_piece(const PlaneLine& line, double step, Use use) {
@@ -42,7 +40,8 @@ class NearSegments {
 public:
     NearSegments(const PlaneLines& lines, double reach);
 
-    /// Calls use(NearPlace) for each segment within reach until it returns true; whether it did.
+    /// Calls use(NearPlace) for each segment within reach, some more than once, until it returns
+    /// true; whether it did.
     template <class Use>
     bool any_near(const PlanePoint& p, Use use) const {
         const Cell middle = cell_of(p);
@@ -164,11 +163,11 @@ struct TruthScores {
     double precision = 1;      ///< the share of the drawing that is near an exact line
     int ends = 0;              ///< of open paths
     PlaneLines missed, wrong;  ///< in small pieces
-    PlaneLine loose_ends;      ///< at no other path and no true end
+    PlaneLine loose_ends;      ///< at no other path, or part of their own, and no true end
 };
 
-/// Lines may be `tolerance` mm off, and `slack` mm more at true ends, for coarse meshes. Those that
-/// are `allowed` need not be drawn.
+/// Lines may be `tolerance` mm off, and ends .5 mm and `slack`, for coarse meshes, from true ones.
+/// Those that are `allowed` need not be drawn.
 TruthScores score(const PlaneLines& drawing, const PlaneLines& required, const PlaneLines& allowed,
                   double tolerance, double slack = 0);
 

@@ -5,13 +5,6 @@
 
 namespace benchmarks {
 
-double length_of(const PlaneLine& line) {
-    double length = 0;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i)
-        length += (line[i + 1] - line[i]).norm();
-    return length;
-}
-
 NearSegments::NearSegments(const PlaneLines& lines, double reach) : reach_(reach) {
     for (std::size_t l = 0; l < lines.size(); ++l) {
         double along = 0;
@@ -23,8 +16,8 @@ NearSegments::NearSegments(const PlaneLines& lines, double reach) : reach_(reach
     }
 }
 
-/// Adds pieces shorter than a cell to the cells of their ends, so that the cells around a point
-/// have all within reach.
+/// Adds pieces shorter than half a cell to the cells of their ends, so that the cells around a
+/// point have all within reach.
 void NearSegments::add(const Segment& segment) {
     const auto number = std::uint32_t(segments_.size());
     segments_.push_back(segment);
@@ -48,6 +41,13 @@ constexpr double kJointGap = 0.05;        // mm, within which an end is at anoth
 constexpr double kTrueEndGap = 0.5;       // mm, within which an end is that of an exact line
 constexpr double kOwnNeighbourhood = 1;   // mm of a path at its end that do not count as another
 constexpr double kLeastCosine = 0.93969;  // of 20 degrees, between lines that run side by side
+
+double length_of(const PlaneLine& line) {
+    double length = 0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        length += (line[i + 1] - line[i]).norm();
+    return length;
+}
 
 /// The share of the lines' length within the tolerance of the others; `far` gets the rest.
 double share_near(const PlaneLines& lines, const PlaneLines& others, double tolerance,

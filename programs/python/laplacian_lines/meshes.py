@@ -15,9 +15,6 @@ from . import _core
 
 Arrays = tuple[NDArray[numpy.float64], NDArray[numpy.uint32]]
 
-_KINDS = ("a pair (vertices, faces) of arrays, a mesh of trimesh, PyVista or PyMeshLab, a Surface, or the name of a PLY, "
-          "STL, OBJ or OFF file")
-
 
 def read_mesh(file: str | os.PathLike[str]) -> Arrays:
     """The mesh in a PLY, STL, OBJ or OFF file.
@@ -44,9 +41,9 @@ def mesh_in(place: pathlib.Path, content: bytes) -> Arrays:
 
 
 def as_arrays(mesh: Any) -> Arrays:
-    """Vertices, (n, 3) in the mesh's unit, and faces, (m, 3), of a mesh as other packages have it.
+    """Vertices, (n, 3) in the mesh's unit, and faces, (m, 3), of a mesh as other packages have it, or of a file.
 
-    Raises TypeError or Error, which say what to give instead.
+    Raises TypeError or Error, which say what to give instead; of files as read_mesh().
     """
     if isinstance(mesh, (str, os.PathLike)):
         return read_mesh(mesh)
@@ -72,7 +69,8 @@ def _parts(mesh):
         raise TypeError("A scene of trimesh may have several meshes: give its to_mesh(), which joins them.")
     if isinstance(mesh, (tuple, list)) and len(mesh) == 2:
         return mesh
-    raise TypeError(f"A {type(mesh).__name__} is no mesh that is known here: give {_KINDS}.")
+    raise TypeError(f"A {type(mesh).__name__} is no mesh that is known here: give a pair (vertices, faces) of arrays, a mesh of "
+                    "trimesh, PyVista or PyMeshLab, or the name of a PLY, STL, OBJ or OFF file.")
 
 
 def _checked(values, kind, name):

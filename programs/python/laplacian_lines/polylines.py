@@ -73,15 +73,14 @@ class Polylines:
     page: Vector  #: (p, 2), the same on the page, see Page.place()
     weights: NDArray[numpy.float32]  #: (p,), shares of the full width, 0 to 1
     opacities: NDArray[numpy.float32]  #: (p,), 0 to 1
-    #: (p,), how much the shading changes across the line, or by how many degrees the surface turns; see
-    #: docs/script.md
+    #: (p,), how much the shading changes across the line, or by how many degrees the surface turns; see docs/script.md
     gradients: NDArray[numpy.float32]
     offsets: NDArray[numpy.int64]  #: (l + 1,)
     kinds: NDArray[numpy.uint8]  #: (l,), places in KINDS
     strengths: NDArray[numpy.float32]  #: (l,), of Laplacian lines and contours: the paper's Eq. 4, no unit
     closed: NDArray[numpy.bool_]  #: (l,)
     hidden: NDArray[numpy.bool_]  #: (l,), behind the surface; lines() does not ask, and says False
-    outline: NDArray[numpy.bool_]  #: (l,), contours and borders with nothing behind them; of visible_lines() alone
+    outline: NDArray[numpy.bool_]  #: (l,), contours and borders with nothing behind them; lines() does not ask
     plane: Page
 
     @classmethod

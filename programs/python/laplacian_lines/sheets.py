@@ -25,7 +25,7 @@ class Drawing(typing.NamedTuple):
     format: str  # "svg", "pdf", "dxf" or "png"
     paper: tuple[float, float]  # width and height, mm
     scale: float  # drawn over true length, 0.5 for 1:2; 0: in perspective
-    kernel: float  # √h of the inner lines, mm on paper; 0 if there are none
+    kernel: float  # √h of the inner lines, mm on paper; 0 if there are none, or the mesh is too coarse
     remarks: tuple[str, ...]  # what is to be said of it besides
 
     def _repr_svg_(self) -> str | None:

@@ -46,8 +46,8 @@ class Surface:
     def __init__(self, mesh: Any, **field_options: Unpack[FieldOptions]) -> None:
         vertices, faces = as_arrays(mesh)
         self._core = _core.Surface(vertices, faces, options.values(dict(field_options), options.FIELD))
-        used = vertices[numpy.isfinite(vertices).all(axis=1)]
-        self._centre = (used.min(axis=0) + used.max(axis=0)) / 2
+        finite = vertices[numpy.isfinite(vertices).all(axis=1)]
+        self._centre = (finite.min(axis=0) + finite.max(axis=0)) / 2
 
     def field(self) -> dict[str, NDArray[numpy.float32]]:
         """Normals, their Laplacian, curvature and kernel at each vertex, see the function field()."""
@@ -99,11 +99,12 @@ class Surface:
         if direction is None and eye is None:
             raise TypeError("Say from where: direction=(0, 0, 1), to a viewer far away, or eye=(x, y, z), a place.")
         eye = None if eye is None else _vector(eye, "eye")
-        back = _unit(_vector(direction, "direction") if direction is not None else eye - self._centre, "direction")
+        back = _unit(_vector(direction, "direction") if direction is not None else eye - self._centre,
+                     "direction from the middle of the mesh")
         up = _unit(_vector(up, "up"), "up")
-        if numpy.linalg.norm(numpy.cross(up, back)) < 1e-6:  # from above, what is behind is up
+        if numpy.linalg.norm(numpy.cross(up, back)) < 1e-6:  # from above or below: another axis is up
             up = numpy.roll(up, 1)
-        right = _unit(numpy.cross(up, back), "up")
+        right = _unit(numpy.cross(up, back), "up, across the direction,")
         plane = Page(right, numpy.cross(back, right), back, eye)
         light = None if light is None else _vector(light, "light").tolist()
         return plane, ((back if eye is None else eye).tolist(), float(eye is not None), light)
@@ -119,7 +120,7 @@ def _vector(values, name):
 def _unit(vector, name):
     length = numpy.linalg.norm(vector)
     if length == 0:
-        raise ValueError(f"{name} has no length: an eye has to be outside the middle of the mesh, or needs a direction.")
+        raise ValueError(f"{name} has no length: give another.")
     return vector / length
 
 
