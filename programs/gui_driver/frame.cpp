@@ -28,7 +28,7 @@ constexpr double kLinePixels = 2;      // an outline lies half outside the form
 constexpr std::size_t kFewPoints = 8;  // of fewer, each may be at a side of the box
 constexpr double kLeastShare = 1e-4;   // of the diagonal of all points, for that of most
 
-/// The position and direction of MeshLab's camera, in floats as there.
+/// The position and direction of MeshLab's camera; axes and target are floats, as there.
 struct CameraPlace {
     Eigen::Matrix3f axes;    // in the scene: rows right, up, and towards the viewer
     Eigen::Vector3f target;  // any point in the middle of the picture
@@ -155,8 +155,7 @@ double middle_seen_from(double distance, const Points& points, int axis) {
     return eye;
 }
 
-/// The next distance that the mouse wheel reaches, in quarter notches, from MeshLab's first camera,
-/// which shows diagonals as 3 units long.
+/// The next distance by quarter notches of the wheel from MeshLab's first, 3 units to a diagonal.
 double wheel_distance(double least, double diagonal) {
     const double first =
         diagonal * kHalfHeight / 3 / std::tan(qDegreesToRadians(kPerspectiveAngle / 2));

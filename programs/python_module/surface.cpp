@@ -10,14 +10,14 @@ namespace {
 
 /// A line without what only LineVisibility knows.
 ViewLine view_line(const LineSet& set, const Polyline& line) {
-    ViewLine result;
+    ViewLine result{};  // neither hidden nor an outline
     result.kind = line.kind;
     result.closed = line.closed;
     result.strength = line.strength;
     for (std::uint32_t i = line.first; i < line.first + line.count; ++i) {
         const LinePoint& point = set.points[i];
         result.points.push_back(
-            {set.position(point), point.weight, point.gradient, point.opacity, 0, false});
+            {set.position(point), point.weight, point.gradient, point.opacity, kNoNode, false});
     }
     return result;
 }

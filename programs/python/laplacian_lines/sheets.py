@@ -67,5 +67,5 @@ def _named(mesh):
         return (*as_arrays(mesh), "", "")
     place = pathlib.Path(mesh)
     content = place.read_bytes()
-    name = place.name.encode(errors="surrogateescape").decode(errors="replace")
+    name = place.name.translate(dict.fromkeys(range(0xdc80, 0xdd00), "\ufffd"))  # for each byte that is no letter
     return (*mesh_in(place, content), name, hashlib.sha256(content).hexdigest())

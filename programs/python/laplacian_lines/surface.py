@@ -99,8 +99,7 @@ class Surface:
         if direction is None and eye is None:
             raise TypeError("Say from where: direction=(0, 0, 1), to a viewer far away, or eye=(x, y, z), a place.")
         eye = None if eye is None else _vector(eye, "eye")
-        back = _unit(_vector(direction, "direction") if direction is not None else eye - self._centre,
-                     "direction from the middle of the mesh")
+        back = _unit(_vector(direction, "direction") if direction is not None else eye - self._centre, "direction from the middle")
         up = _unit(_vector(up, "up"), "up")
         if numpy.linalg.norm(numpy.cross(up, back)) < 1e-6:  # from above or below: another axis is up
             up = numpy.roll(up, 1)

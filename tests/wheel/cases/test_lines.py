@@ -28,6 +28,7 @@ class Lines(unittest.TestCase):
         self.assertEqual((lines.points.shape, lines.page.shape, lines.weights.shape), ((points, 3), (points, 2), (points,)))
         self.assertEqual(sum(len(line.points) for line in lines), points)
         self.assertTrue(((lines.weights >= 0) & (lines.weights <= 1)).all())
+        self.assertFalse((lines.hidden | lines.outline).any())
 
     def test_the_page(self):
         lines = ll.lines(torus(), direction=(0, -1, 0), up=(0, 0, 1))
