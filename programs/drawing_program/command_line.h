@@ -23,7 +23,7 @@ struct CommandLine {
     std::string drawing;  ///< the file to write, or of a collection the folder to write into
     Words meshes;         ///< files, drawn together, or each alone if they are a collection
     bool is_collection = false;
-    Words words;                         ///< the options as given, without those of collections
+    Words words;  ///< options as given, with those of `like`, without those of collections
     std::optional<EarlierDrawing> like;  ///< the drawing to repeat
     line_drawing::SheetChoices choices;  ///< with the file, or for a collection its ending
     line_drawing::SheetOptions options;

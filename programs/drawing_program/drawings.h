@@ -16,7 +16,7 @@ void draw_one(const CommandLine& commands);
 /// @throws laplacian_lines::Error if there is nothing to draw or the folder is not writable
 bool draw_collection(const CommandLine& commands);
 
-/// Reads a mesh as the options say, and says what of its file is skipped or missing.
+/// Reads a mesh as the options say, says what of its file is skipped or missing, and refines it.
 ReadMesh read_and_report(const std::string& file, const CommandLine& commands);
 
 /// Draws the meshes together into the file. Returns the sheet and, of a collection, the mesh's view

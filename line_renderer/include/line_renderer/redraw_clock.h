@@ -12,7 +12,7 @@ public:
     enum Part {
         Extraction,
         Upload,
-        DrawCalls,  ///< on the CPU, and all that is not one of the others
+        DrawCalls,  ///< preparing them, and all that is not one of the others
         /// By OpenGL: its first call, where a software renderer does half the work, and glFinish().
         Drawing,
         kPartCount
