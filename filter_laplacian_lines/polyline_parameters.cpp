@@ -73,7 +73,7 @@ void take_from_decoration(Parameters& parameters) {
     parameters.colors = drawn.colors;
 }
 
-/// MeshLab's box includes vertices that are not finite, or so far off that no D reaches them.
+/// MeshLab's box, without vertices that are not finite or farther from zero than kLargestBox.
 vcg::Box3d usable_box(const MeshModel& mesh) {
     vcg::Box3d box = vcg::Box3d::Construct(mesh.cm.bbox);
     if (box.IsNull() || box.Diag() < kLargestBox) return box;

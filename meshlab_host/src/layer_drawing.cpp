@@ -11,7 +11,8 @@ namespace meshlab_host {
 
 namespace {
 
-/// Size of points is that at the mesh's middle; with attenuation, nearer ones are larger.
+/// With attenuation, points have their size at the mesh's middle; nearer ones are up to so many
+/// times as large.
 constexpr double kMostGrowth = 2;
 
 /// As if nothing were sure to be in the depth buffer: no faces, and points of 3 pixels, as usual.

@@ -218,7 +218,8 @@ QString row(const Eigen::Vector3f& v, int last) {
         .arg(last);
 }
 
-/// Units of the view's scale: from there a ball as wide as the picture's height just fits into it.
+/// Units of the view's scale: from there a ball with the radius kHalfHeight just fits into the
+/// view.
 double ball_distance(double angle) {
     return kHalfHeight / std::sin(qDegreesToRadians(angle / 2));
 }

@@ -8,7 +8,7 @@ from environment.messages import output
 
 LIBRARIES = {f"libQt5{name}.so.5" for name in ("Core", "Gui", "Widgets", "OpenGL", "Xml")} | {
     "libmeshlab-common.so", "libGL.so.1", "libstdc++.so.6", "libgcc_s.so.1", "libm.so.6", "libc.so.6", "ld-linux-x86-64.so.2"}
-# of glibc and Qt as docs/install.md has them, the others those of GCC 11
+# of glibc and Qt as docs/install.md has them; of libstdc++ those of GCC 11; of libgcc what plugins use
 VERSIONS = {"GLIBC": (2, 34), "GLIBCXX": (3, 4, 29), "CXXABI": (1, 3, 13), "Qt": (5, 15), "GCC": (4, 0, 0)}
 EXPORTS = {"qt_plugin_query_metadata", "qt_plugin_instance"}
 

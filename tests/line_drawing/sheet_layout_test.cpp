@@ -66,6 +66,13 @@ TEST(SheetLayout, TurnsTheArrangementInThirdAngle) {
     EXPECT_GT(at[3].left(), at[0].right());
 }
 
+TEST(SheetLayout, ViewsWithoutWidthHaveGapsToo) {
+    SheetOptions options = fitting("front,left");
+    options.arrangement = Arrangement::ThirdAngle;
+    const Sheet sheet = sheet_helpers::sheet_of(box({30, 20, 0}), options);
+    EXPECT_NEAR(extent_of(sheet.groups[0]).left() - extent_of(sheet.groups[1]).right(), 10, 1);
+}
+
 /// Thirty sections in one row would not fit at any scale.
 TEST(SheetLayout, ManyViewsStandInRows) {
     EXPECT_EQ(places_of(fitting("six 30,15 60,15 90,40 0,10 45,45")).size(), 11u);

@@ -180,7 +180,7 @@ private:
 
     /// Compares the first bend with the surface behind it, which begins with `facet`. If that is
     /// curved likewise, both are an arc. If it is less curved, or turns no more and its facet is
-    /// wider than the first one, a fillet ends with the bend.
+    /// over kAlike times as wide as the first one, a fillet ends with the bend.
     void judge_beyond(Facet facet, const Bend& first, float angle) {
         const float behind = facet.centre;
         Bend next;
@@ -212,7 +212,7 @@ float explained(const FacetSide& a, const FacetSide& b) {
         const FacetSide& arc = a.is_arc() ? a : b;
         const FacetSide& other = a.is_arc() ? b : a;
         const float own = arc.curvature() * arc.half();
-        // the other side's is the last facet of the arc, if it is about as wide as the others
+        // the other side's is the last facet of the arc, if it is not much wider than the others
         return other.half() <= kAlike * arc.half() ? own + arc.curvature() * other.half() : own;
     }
     // Two facets in all: a fillet, tangent at both ends.

@@ -25,7 +25,7 @@ std::vector<std::uint32_t> groups(const std::vector<Triangle>& triangles, const 
         if (!sides.has_neighbour(side) || sides.across(side) < side) continue;
         const std::uint32_t other = sides.across(side);
         if (faces.normals[side / 3].dot(faces.normals[other / 3]) <= kSharpCosine) continue;
-        // else they are folded onto each other and disagree about the outside
+        // if not, though the edge is not sharp, they are folded onto each other
         const bool agree = have_one_orientation(triangles, side, other);
         sets.unite(side, agree ? next_side(other) : other);
         sets.unite(next_side(side), agree ? other : next_side(other));

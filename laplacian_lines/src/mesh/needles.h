@@ -21,7 +21,7 @@ std::vector<std::uint32_t> ends_of_short_sides(const std::vector<Eigen::Vector3d
                                                const std::vector<Triangle>& triangles);
 
 /// Flips the longest sides of triangles that are at most so high, where they have one neighbour
-/// there and both become higher: dropping them would leave slits.
+/// there and both new triangles are higher than the low one: dropping it would leave a slit.
 void flip_low_triangles(const std::vector<Eigen::Vector3d>& positions, double least_height,
                         std::vector<Triangle>& triangles);
 

@@ -53,7 +53,7 @@ std::size_t LineExtractor::memory() const {
 
 namespace {
 
-// In D: for an eye nearer to the centre the scale stays as it is there, and so finite.
+// In D: an eye nearer to the centre gets the scale of one at this distance, which is finite.
 constexpr double kLeastEyeDistance = 0.01;
 
 LocalEye direction_to_local(const Eigen::Vector3d& direction, const char* complaint) {

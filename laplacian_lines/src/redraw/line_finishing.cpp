@@ -31,7 +31,8 @@ void prefetch_points(const JoinedStrip& strip) {
         __builtin_prefetch(begin + i);
 }
 
-/// `slope`: of the segment that ends there, which is the weight until weigh().
+/// `slope`: of the segment that ends there, which is the weight until weigh(). A line's first point
+/// has one that nothing reads.
 LinePoint line_point(const StripPoint& p, float slope) {
     return {Eigen::Vector3f(p.position), slope, p.gradient, p.opacity};
 }

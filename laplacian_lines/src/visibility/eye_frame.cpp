@@ -15,9 +15,10 @@ using Eigen::Vector3d;
 constexpr double kTurn = 3e-5;         // rad; any from 1e-7 to 1e-3 decides alike
 constexpr double kIrregular = 0.7316;  // rad; of an axis that is none of a mesh's symmetry
 
-/// A direction or position, turned about the origin; the origin itself stays.
+/// A direction or position, turned about the origin. The origin has no direction: an eye there is
+/// moved as far as one at the distance D would be.
 Vector3d turned(const Vector3d& v) {
-    if (v.isZero(0)) return v;
+    if (v.isZero(0)) return kTurn * Vector3d(0.36, 0.48, 0.8);
     const Vector3d direction = v.stableNormalized(), aside = direction.unitOrthogonal();
     const Vector3d axis =
         std::cos(kIrregular) * aside + std::sin(kIrregular) * direction.cross(aside);
@@ -30,8 +31,7 @@ EyeFrame::EyeFrame(const VisibilityMesh& mesh, const View& view, bool looks_away
     : has_perspective_(view.w != 0) {
     const Vector3d eye = view.eye - view.w * mesh.centre;  // local, but for a scale
     eye_ = turned(has_perspective_ ? Vector3d(eye / (view.w * mesh.size)) : eye.stableNormalized());
-    // an eye at the centre has an arbitrary direction
-    back_ = eye_.norm() > 0 ? Vector3d(eye_.stableNormalized()) : Vector3d(Vector3d::UnitZ());
+    back_ = eye_.stableNormalized();
     if (looks_away) back_ = -back_;
     right_ = back_.unitOrthogonal();
     up_ = back_.cross(right_);

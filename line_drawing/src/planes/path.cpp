@@ -14,6 +14,7 @@ constexpr int kMostHalvings = 9;                 // a curve is then 512 chords, 
 
 /// Whether the distances of both handles from the line through begin and end add up to less than
 /// `tolerance`, on slanted lines up to √2 times that: the curve is at most 4/9 of the sum away.
+/// Where begin and end are within two tolerances, the distances are those from begin, |x| + |y|.
 bool is_flat(const Point& begin, const Path::Piece& curve, double tolerance) {
     const Point span = curve.end - begin, first = begin - curve.first,
                 second = begin - curve.second;

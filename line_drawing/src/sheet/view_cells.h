@@ -18,10 +18,11 @@ struct CellChoice {
     int sections_in_a_row = 0;   ///< below all views; 0: they are beside or below the front view
 };
 
-/// The cells of views, each its own; sections follow the views. The sides of an object are around
-/// the front view, in the options' angle of projection, views of no side as chosen. Sections, and
-/// views of a side that another one shows already, are at the end of the front view's row, or of
-/// its column if they look from above or below, unless sections are in rows.
+/// The cells of views, each its own. In `views`, sections have to come last. The sides of an
+/// object are around the front view, in the options' angle of projection, views of no side as
+/// chosen. Sections, and views of a side that another one shows already, are at the end of the
+/// front view's row, or of its column if they look from above or below, unless sections are in
+/// rows.
 std::vector<Cell> cells_of(const std::vector<DrawnView>& views, const SheetOptions& options,
                            const CellChoice& choice);
 

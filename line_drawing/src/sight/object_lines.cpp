@@ -35,12 +35,16 @@ double kernel_factor(double detail) {
     return std::exp2(1 - detail / 50);
 }
 
-/// Sizes that were asked for are those of a mesh with a diagonal and a mean edge of 1: they tell
-/// fields apart, and compute_field() has the object's own.
+/// What tells requests apart: equal for equal lengths in the mesh, negative for shares.
+double key_of(const DetailSize& detail, double mm) {
+    return detail.is_share ? -detail.size : detail.size / mm;
+}
+
+/// Sizes that were asked for are keys here: compute_field() has the object's own.
 PrecomputeOptions field_options(const SheetOptions& options, double mm) {
     PrecomputeOptions result;
-    result.kernel_size = length_of(options.kernel, mm, 1);
-    result.normal_sigma = length_of(options.smoothing, mm, 1);
+    result.kernel_size = key_of(options.kernel, mm);
+    result.normal_sigma = key_of(options.smoothing, mm);
     const double factor = kernel_factor(options.style.detail);
     result.least_drawn_edges = laplacian_lines::kLeastKernelEdges * std::min(factor, 1.);
     result.drawn_kernel_size =

@@ -25,9 +25,9 @@ public:
     PictureRenderer();
     ~PictureRenderer();
 
-    /// Fills the viewport with its part of the picture, which has to reach as far, from this upper
-    /// left pixel on. `colors`, with their alpha: of the inks, the last of which lies over the
-    /// others. @throws std::runtime_error if OpenGL cannot do it
+    /// Fills the viewport with the part of the picture whose upper left pixel is `corner`; the
+    /// picture has to hold all of that part. `colors`, with their alpha: of the inks, the last of
+    /// which lies over the others. @throws std::runtime_error if OpenGL cannot do it
     void paint(const InkPicture& picture, const std::vector<QColor>& colors,
                const Eigen::Vector2i& corner);
 

@@ -99,7 +99,10 @@ class Surface:
         if direction is None and eye is None:
             raise TypeError("Say from where: direction=(0, 0, 1), to a viewer far away, or eye=(x, y, z), a place.")
         eye = None if eye is None else _vector(eye, "eye")
-        back = _unit(_vector(direction, "direction") if direction is not None else eye - self._centre, "direction from the middle")
+        if direction is not None:
+            back = _unit(_vector(direction, "direction"), "direction")
+        else:
+            back = _unit(eye - self._centre, "the way from the mesh's middle to the eye", "give a direction, too")
         up = _unit(_vector(up, "up"), "up")
         if numpy.linalg.norm(numpy.cross(up, back)) < 1e-6:  # from above or below: another axis is up
             up = numpy.roll(up, 1)
@@ -116,10 +119,10 @@ def _vector(values, name):
     return vector
 
 
-def _unit(vector, name):
+def _unit(vector, name, advice="give another"):
     length = numpy.linalg.norm(vector)
     if length == 0:
-        raise ValueError(f"{name} has no length: give another.")
+        raise ValueError(f"{name} has no length: {advice}.")
     return vector / length
 
 

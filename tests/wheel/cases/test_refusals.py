@@ -41,8 +41,8 @@ class Refusals(unittest.TestCase):
         self.expect(TypeError, "Say from where: direction", ll.lines, mesh)
         self.expect(ValueError, "three finite numbers", ll.lines, mesh, direction=(0, 1))
         self.expect(ValueError, "three finite numbers", ll.visible_lines, mesh, eye=(0, numpy.nan, 1))
-        self.expect(ValueError, "has no length", ll.lines, mesh, direction=(0, 0, 0))
-        self.expect(ValueError, "has no length", ll.lines, mesh, eye=(0, 0, 0))
+        self.expect(ValueError, "^direction has no length", ll.lines, mesh, direction=(0, 0, 0))
+        self.expect(ValueError, "to the eye has no length: give a direction", ll.lines, mesh, eye=(0, 0, 0))
 
     def test_meshes(self):
         vertices, faces = sphere(steps=2)

@@ -95,8 +95,8 @@ struct alignas(16) ActiveTriangle {
 };
 
 // Arrays below with kPlaces are longer than what they can hold, so that whole vectors may be read
-// and written, and those of floats by an odd number of cache units, so that their beginnings differ
-// in cache sets: the arrays of one struct are read at the same place together.
+// and written, and those of one float a place by an odd number of cache units, so that their
+// beginnings differ in cache sets: the arrays of one struct are read at the same place together.
 
 /// The active triangles of one function in a batch, cluster by cluster.
 struct ActiveTriangles {
