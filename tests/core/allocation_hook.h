@@ -9,7 +9,7 @@ namespace allocation_hook {
 /// Calls of operator new.
 std::size_t count();
 
-/// After `left` more calls throws std::bad_alloc, once, but never from operator new(std::nothrow).
+/// Throws std::bad_alloc once, after `left` more calls; operator new(std::nothrow) does not count.
 void fail_after(long left);
 
 /// Whether one has failed since fail_after().

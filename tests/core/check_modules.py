@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The tables of modules in docs/architecture.md hold: every folder of code is a module of theirs, files include what its row
-allows and nothing else, of other modules what is in their include/ alone, none of Qt where the row says "no Qt"; and each
+allows and nothing else, of modules with an include/ what is in it alone, none of Qt where the row says "no Qt"; and each
 module in the first table has a README.md that says what is in scope and what is not."""
 
 import pathlib
@@ -92,6 +92,8 @@ def check_library(library, modules):
 
 found = tables()
 top = found.pop("Modules")
+complaints.extend(f"the folders of {module}/src have no table" for module in top
+                  if any(map(pathlib.Path.is_dir, root.glob(f"{module}/src/*"))) and f"Modules of {module}" not in found)
 check_folders(root, [*top, "tests", "programs/benchmarks", "docs", "scripts"])
 count = check_top(top)
 for heading, modules in found.items():

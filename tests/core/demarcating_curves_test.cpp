@@ -24,13 +24,13 @@ LineSet curves(const TriangleMesh& mesh, const LineStyle& style = only_demarcati
     return helpers::extract(LineExtractor(mesh, helpers::complete_field(mesh)), kView, style);
 }
 
-/// A plate with a round step of the given height, its middle at the radius 0.5.
-TriangleMesh relief(double height, double jitter = 0) {
+/// A plate with a round step, 2 · half_height high, its middle at the radius 0.5.
+TriangleMesh relief(double half_height, double jitter = 0) {
     test_meshes::Grid grid{120, 120};
     grid.jitter = jitter;
     return test_meshes::grid_mesh(grid, [=](double u, double v) {
         const double x = 2 * u - 1, y = 2 * v - 1;
-        return Eigen::Vector3d(x, y, -height * std::tanh((std::hypot(x, y) - 0.5) / 0.08));
+        return Eigen::Vector3d(x, y, -half_height * std::tanh((std::hypot(x, y) - 0.5) / 0.08));
     });
 }
 

@@ -21,7 +21,7 @@ using test_meshes::WithThreads;
 /// Restores the set of before.
 class WithInstructionSet {
 public:
-    explicit WithInstructionSet(InstructionSet set) { use_instruction_set(set); }
+    explicit WithInstructionSet(InstructionSet set) { EXPECT_TRUE(use_instruction_set(set)); }
     ~WithInstructionSet() { use_instruction_set(before_); }
     WithInstructionSet(const WithInstructionSet&) = delete;
     WithInstructionSet& operator=(const WithInstructionSet&) = delete;

@@ -9,6 +9,7 @@
 
 #include "helpers.h"
 #include "laplacian_lines/error.h"
+#include "laplacian_lines/field_columns.h"
 #include "laplacian_lines/option_table.h"
 #include "laplacian_lines/precompute.h"
 
@@ -117,9 +118,16 @@ TEST(InvalidMesh, VertexIndexOutOfRange) {
     }
 }
 
-TEST(FieldMismatch, FieldOfAnotherMesh) {
-    const Field field = precompute(test_meshes::mesh_named("plane").mesh);
-    expect_error(ErrorCode::FieldMismatch, [&] { LineExtractor(small_mesh(), field); });
+TEST(FieldMismatch, ColumnOfAnotherMesh) {
+    const std::size_t vertices = small_mesh().positions.size();
+    for (const FieldColumn& column : kFieldColumns)
+        for (const std::size_t entries : {vertices - 1, vertices + 1}) {
+            SCOPED_TRACE(column.key);
+            Field field = precompute(small_mesh());
+            column.resize(field, entries);
+            EXPECT_FALSE(has_entries(field, vertices));
+            expect_error(ErrorCode::FieldMismatch, [&] { LineExtractor(small_mesh(), field); });
+        }
 }
 
 }  // namespace

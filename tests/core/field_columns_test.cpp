@@ -6,12 +6,8 @@
 #include <set>
 #include <string>
 
-#include "laplacian_lines/error.h"
 #include "laplacian_lines/field_columns.h"
-#include "laplacian_lines/line_extractor.h"
 #include "laplacian_lines/line_kind.h"
-#include "laplacian_lines/precompute.h"
-#include "registry.h"
 #include "test_paths.h"
 
 namespace {
@@ -48,22 +44,6 @@ TEST(FieldColumns, HaveAttributesForAllFloats) {
         }
         EXPECT_EQ(floats, column.floats) << column.key;
     }
-}
-
-TEST(FieldColumns, EachHasToFitTheMesh) {
-    const auto mesh = test_meshes::mesh_named("single_triangle").mesh;
-    for (const FieldColumn& column : kFieldColumns)
-        for (const int more : {-1, 1}) {
-            Field field = precompute(mesh);
-            column.resize(field, mesh.positions.size() + std::size_t(more));
-            EXPECT_FALSE(has_entries(field, mesh.positions.size())) << column.key;
-            try {
-                const LineExtractor extractor(mesh, field);
-                ADD_FAILURE() << column.key;
-            } catch (const Error& error) {
-                EXPECT_EQ(error.code(), ErrorCode::FieldMismatch) << column.key;
-            }
-        }
 }
 
 TEST(FieldColumns, AreDocumented) {

@@ -203,7 +203,7 @@ float total_length(const LineSet& lines) {
 std::vector<View> random_views(const TriangleMesh& mesh, int count) {
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& p : mesh.positions)
-        if (p.allFinite() && p.norm() < 1e4) box.extend(p);
+        if (p.allFinite() && p.norm() < 1e4) box.extend(p);  // not the unused one of with_dirt()
     std::mt19937 random(11);
     const auto unit = [&] { return test_meshes::signed_unit(random); };
     std::vector<View> views;
@@ -231,8 +231,8 @@ double distance_to_lines(const Eigen::Vector3d& p, const LineSet& lines) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Polyline& line : lines.lines)
         for (std::uint32_t i = line.first; i + 1 < line.first + line.count; ++i) {
-            const Eigen::Vector3d a = lines.points[i].position.cast<double>();
-            const Eigen::Vector3d d = lines.points[i + 1].position.cast<double>() - a;
+            const Eigen::Vector3d a = lines.position(lines.points[i]);
+            const Eigen::Vector3d d = lines.position(lines.points[i + 1]) - a;
             const double t =
                 d.squaredNorm() > 0 ? std::clamp((p - a).dot(d) / d.squaredNorm(), 0., 1.) : 0;
             nearest = std::min(nearest, (p - a - t * d).squaredNorm());
@@ -288,7 +288,7 @@ bool same_lines(const LineSet& a, const LineSet& b) {
 }
 
 bool same_fields(const Field& a, const Field& b) {
-    const auto same = [&](const FieldColumn& column) {  // bit by bit
+    const auto same = [&](const FieldColumn& column) {
         const std::size_t size = column.size(a);
         return size == column.size(b) &&
                (size == 0 || !std::memcmp(column.read(a), column.read(b),

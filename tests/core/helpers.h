@@ -61,14 +61,14 @@ laplacian_lines::LineSet extract(const laplacian_lines::LineExtractor& extractor
                                  const laplacian_lines::View& view,
                                  const laplacian_lines::LineStyle& style);
 
-float total_length(const laplacian_lines::LineSet& lines);
+float total_length(const laplacian_lines::LineSet& lines);  ///< D
 
 /// Perspective and orthographic, near and far; always the same.
 std::vector<laplacian_lines::View> random_views(const laplacian_lines::TriangleMesh& mesh,
                                                 int count);
 
 using Counts = std::function<bool(const laplacian_lines::ViewLine&, const Eigen::Vector3d& point)>;
-/// Of segments both of whose ends count.
+/// Of segments both of whose ends count, mesh units.
 double length_of(
     const std::vector<laplacian_lines::ViewLine>& lines,
     const Counts& counts = [](const auto&, const auto&) { return true; });
@@ -86,6 +86,7 @@ std::vector<Edge> horizon_of(const laplacian_lines::TriangleMesh& mesh,
 
 bool same_lines(const laplacian_lines::LineSet& a, const laplacian_lines::LineSet& b);
 
+/// In all columns, bit by bit.
 bool same_fields(const laplacian_lines::Field& a, const laplacian_lines::Field& b);
 
 }  // namespace helpers

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """installed.py EIGEN_INCLUDE_FOLDER: the core as "cmake --install" installs it. Each public header compiles alone and
-names Eigen and the standard library only; the example is built against the package and finds the lines of a torus."""
+names only Eigen, the standard library and others; the example is built against the package and finds a torus's lines."""
 import math
 import os
 import pathlib
