@@ -103,6 +103,7 @@ TEST(ViewKinds, AreLeftOutWhereTheyAreFlat) {
     const View view = View::perspective({3, 2, 4});
     for (const auto& [kind, slope] :
          {std::pair(LineKind::SuggestiveContour, &LineStyle::suggestive_slope),
+          {LineKind::SuggestiveHighlight, &LineStyle::suggestive_slope},
           {LineKind::ApparentRidge, &LineStyle::apparent_slope},
           {LineKind::PhoticExtremum, &LineStyle::photic_slope}}) {
         LineStyle style = helpers::all_crossings_of_all_kinds();

@@ -127,12 +127,12 @@ LineStyle single_strokes() {
     return style;
 }
 
-const Eigen::Vector3d kRight(0.3, 0, 1), kLeft(-0.3, 0, 1), kAbove(0, 0, 1);
+const Eigen::Vector3d kRight(0.3, 0, 1), kLeft(-0.3, 0, 1);
 
 bool is_drawn(double gradient, const View& view) {
     Synthetic synthetic;
     synthetic.gradient = gradient;
-    return !helpers::extract(synthetic.extractor(), view, single_strokes()).lines.empty();
+    return !synthetic.lines(single_strokes(), view).lines.empty();
 }
 
 /// l·S l = 2 gradient l_x l_z.
@@ -144,7 +144,7 @@ TEST(SingleStrokes, AreWhereTheSurfaceIsConcaveTowardsTheEye) {
 }
 
 TEST(SingleStrokes, FollowALightElsewhere) {
-    View view = View::orthographic(kAbove);
+    View view = Synthetic::above();
     view.light = kRight;
     EXPECT_TRUE(is_drawn(-1, view));
     view.light = kLeft;
@@ -161,11 +161,11 @@ TEST(SingleStrokes, FadeInFromConvexToConcave) {
         const double measure = -trace * l.y() / std::hypot(l.z(), trace * l.y());
         const double expected = std::clamp((measure + 0.1) / 0.3, 0., 1.);
         for (const bool at_eye : {true, false}) {
-            View view = View::orthographic(at_eye ? l : kAbove);
+            View view = at_eye ? View::orthographic(l) : Synthetic::above();
             if (!at_eye) view.light = l;
             LineStyle style = single_strokes();
             style.fading = 0.4;
-            const LineSet set = helpers::extract(synthetic.extractor(), view, style);
+            const LineSet set = synthetic.lines(style, view);
             ASSERT_EQ(set.lines.size(), 1u);
             EXPECT_NEAR(set.points[set.points.size() / 2].opacity, expected, 1e-3);
         }

@@ -149,7 +149,7 @@ TEST(MeshFaults, OfSurfacesTurnedInsideOut) {
         EXPECT_EQ(faults_found(flipped(mesh)), Faults{MeshFault::InsideOut}) << name;
     }
     // Triangles without area face nowhere.
-    TriangleMesh degenerate = flipped(mesh_named("sphere").mesh, 1);
+    TriangleMesh degenerate = flipped(mesh_named("sphere").mesh);
     degenerate.triangles.resize(degenerate.triangles.size() * 5 / 4, {0, 0, 0});
     EXPECT_EQ(faults_found(degenerate), Faults{MeshFault::InsideOut});
     // A hole, as in scans; an open surface has no inside.

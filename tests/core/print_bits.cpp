@@ -6,7 +6,6 @@
 
 #include "helpers.h"
 #include "laplacian_lines/field_columns.h"
-#include "laplacian_lines/line_mixture.h"
 
 namespace {
 
@@ -65,10 +64,9 @@ std::uint64_t hash_of_lines(const TriangleMesh& mesh, const Field& field) {
                                        Eigen::Vector3d(0.125, -1, 3)})
         for (const View& view :
              {View::perspective(field.scale.diagonal * eye), View::orthographic(eye)})
-            for (LineStyle style : {LineStyle(), helpers::all_crossings_of_all_kinds()}) {
-                style.shows = all_kinds();
+            for (const LineStyle& style :
+                 {helpers::all_kinds(), helpers::all_crossings_of_all_kinds()})
                 add_lines(helpers::extract(extractor, view, style), hash);
-            }
     return hash.value();
 }
 

@@ -46,13 +46,13 @@ const Work kAllWork[] = {
      [](const Progress& progress) {
          compute(GradientEstimator::LeastSquares, LaplaceOperator::Cotangent, progress);
      },
-     0.5},
+     0.41},
     {"Derivatives",
      [](const Progress& progress) {
          Field copy = field();
          add_curvature_derivatives(mesh(), copy, progress);
      },
-     0.5},
+     0.41},
     {"LineExtractor", [](const Progress& progress) { LineExtractor(mesh(), field(), progress); },
      0.4},
     {"LineVisibility", [](const Progress& progress) { LineVisibility(mesh(), progress); }, 0.4},
@@ -61,7 +61,7 @@ const Work kAllWork[] = {
          static const LineVisibility visibility(mesh());
          (void)visibility.visible_lines(View::orthographic({1, 2, 3}), {}, {}, progress);
      },
-     0.7},
+     0.21},
 };
 
 class InProgress : public testing::TestWithParam<Work> {};

@@ -36,8 +36,8 @@ struct Line {
 
 /// Zeros of Δn·l, n·l or of the radial curvature, linear in each triangle, that are steep enough,
 /// joined to lines, and those of them that are long and strong enough. `kind`: Laplacian, Contour,
-/// SuggestiveContour or SuggestiveHighlight. Ignores Single Strokes, Whole Lines, Detail and what
-/// fades or moves lines.
+/// SuggestiveContour or SuggestiveHighlight, whose slopes are not tested. Ignores Single Strokes,
+/// Whole Lines, Detail and what fades or moves lines.
 std::vector<Line> zero_lines(const TriangleMesh& mesh, const laplacian_lines::Field& field,
                              const laplacian_lines::View& view,
                              const laplacian_lines::LineStyle& style,

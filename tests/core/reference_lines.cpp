@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <utility>
 
 #include "helpers.h"
 #include "laplacian_lines/tangent_frame.h"
@@ -17,7 +16,7 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
+using helpers::Edge;
 
 /// Lengths in D from the middle of the box.
 struct Vertex {
@@ -216,7 +215,7 @@ private:
     const LineStyle& style_;
     const LineKind kind_;
     const double diagonal_;
-    double slope_scale_ = 0;  // h_e^1.5
+    double slope_scale_ = 0;  // h_e^1.5, of Laplacian lines as docs/algorithms.md has it
     Vector3d centre_;
     Point eye_, light_;
     std::vector<Vertex> vertices_;

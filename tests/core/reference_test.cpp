@@ -111,7 +111,7 @@ bool is_same(const Polyline& line, const LinePoint* points, const reference::Lin
 }
 
 struct Count {
-    std::size_t lines = 0, unlike = 0;  // all, and those of which only one drawing has their like
+    std::size_t lines = 0, unlike = 0;  // the core's, and those that only one of the two has
 };
 
 void compare(const LineSet& lines, std::vector<reference::Line> expected, double diagonal,
@@ -133,7 +133,7 @@ void compare(const LineSet& lines, std::vector<reference::Line> expected, double
 std::vector<LineStyle> styles() {
     LineStyle none = helpers::all_crossings(), paper = none, all = none;
     paper.gradient_threshold = all.gradient_threshold = LineStyle().gradient_threshold;
-    paper.strength_threshold = 0.1;
+    paper.strength_threshold = all.strength_threshold = 0.1;
     all.reject_phantoms = true;
     all.segment_slope = LineStyle().segment_slope;
     all.line_slope = LineStyle().line_slope;

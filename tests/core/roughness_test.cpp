@@ -80,7 +80,7 @@ TriangleMesh steps() {
         return std::pair(step + std::min(rest / kCuts, 1.), step + std::max(rest / kCuts - 1, 0.));
     };
     const int pieces = 2 * kCuts * kSteps;
-    return test_meshes::grid_mesh({12, pieces, false, false}, [&](double u, double v) {
+    return test_meshes::grid_mesh({12, pieces}, [&](double u, double v) {
         const auto [x, y] = place(std::round(pieces * v));
         return Vector3d(x, y, 4 * u);
     });

@@ -38,8 +38,9 @@ struct Synthetic {
         return LineExtractor(mesh(), field);
     }
 
-    LineSet lines(const LineStyle& style) const {
-        return helpers::extract(extractor(), View::orthographic(Eigen::Vector3d::UnitZ()), style);
+    static View above() { return View::orthographic(Eigen::Vector3d::UnitZ()); }
+    LineSet lines(const LineStyle& style, const View& view = above()) const {
+        return helpers::extract(extractor(), view, style);
     }
     bool is_drawn(const LineStyle& style) const { return !lines(style).lines.empty(); }
 };

@@ -2,6 +2,7 @@
 // Where lines end, and borders, on every mesh of the registry.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -34,7 +35,7 @@ std::vector<View> axis_views(double distance) {
 
 /// Without exactly two triangles; of several that meet at an angle of this cosine or less.
 LineSet irregular_edges(const TriangleMesh& mesh, double cosine = 1) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Eigen::Vector3d>> normals;
+    std::map<helpers::Edge, std::vector<Eigen::Vector3d>> normals;
     for (const Triangle& t : mesh.triangles) {
         if (!helpers::has_area(mesh, t)) continue;
         const auto& p = mesh.positions;
@@ -57,7 +58,6 @@ LineSet irregular_edges(const TriangleMesh& mesh, double cosine = 1) {
 }
 
 TEST_P(Tracing, BordersAreEdgesOfOneTriangleOrOfSeveralAtAnAngle) {
-    if (GetParam() == "dirty_torus") return;
     const LineSet borders =
         helpers::extract(LineExtractor(mesh(), precompute(mesh())), View::perspective({3, 2, 4}),
                          helpers::only(LineKind::Border));

@@ -67,7 +67,7 @@ TEST(ViewLineSmoothing, LeavesEdgesOfTheForm) {
     EXPECT_NEAR(length_of(seen), 9 * 2, 1e-9);  // all edges but three
 }
 
-/// A smooth contour has no point where it merely passes behind another.
+/// A smooth contour has no point where another merely passes behind it.
 TEST(ViewLineSmoothing, DoesNotDependOnWhatPassesInThePicture) {
     const TriangleMesh mesh = test_meshes::sphere(3).mesh,
                        small = moved(test_meshes::sphere(2, 0.4).mesh, {1, 0, -3});

@@ -102,22 +102,6 @@ bool is_positive(const FieldScale& s) {
            s.mean_edge > 0 && std::isfinite(s.kernel_size) && s.kernel_size > 0;
 }
 
-/// Of what is seen and hidden, in space and in the picture.
-std::string visibility_violation(const TriangleMesh& mesh, const LineExtractor& extractor,
-                                 const View& view, const LineStyle& style) {
-    const LineVisibility visibility(mesh);
-    ExtractionScratch scratch;
-    const LineSet lines = extract_on_surface(extractor, view, style, scratch);
-    std::string found;
-    for (const bool in_picture : {false, true}) {
-        const LineParts parts =
-            visibility.parts(view, {lines}, {style.shows, style.line_smoothing, true, in_picture});
-        if (found.empty()) found = violation(parts.seen);
-        if (found.empty()) found = violation(parts.hidden);
-    }
-    return found;
-}
-
 std::string lines_complaint(const TriangleMesh& mesh, const Field& field, Bytes& bytes) {
     const LineExtractor extractor(mesh, field);
     const View view = wild_view(mesh, bytes);
@@ -128,7 +112,7 @@ std::string lines_complaint(const TriangleMesh& mesh, const Field& field, Bytes&
     if (found.empty() && !helpers::same_lines(lines, helpers::extract(extractor, view, style)))
         found = "the same view gives other lines";
     if (found.empty() && mesh.triangles.size() <= kMostTrianglesForRays)
-        found = visibility_violation(mesh, extractor, view, style);
+        found = violation(mesh, extractor, view, style);
     return found;
 }
 
@@ -171,6 +155,21 @@ std::string violation(const LineSet& lines) {
         if (!is_share(p.weight) || !is_share(p.opacity)) return "a weight or opacity not in 0..1";
     }
     return {};
+}
+
+std::string violation(const TriangleMesh& mesh, const LineExtractor& extractor, const View& view,
+                      const LineStyle& style) {
+    const LineVisibility visibility(mesh);
+    ExtractionScratch scratch;
+    const LineSet lines = extract_on_surface(extractor, view, style, scratch);
+    std::string found;
+    for (const bool in_picture : {false, true}) {
+        const LineParts parts =
+            visibility.parts(view, {lines}, {style.shows, style.line_smoothing, true, in_picture});
+        if (found.empty()) found = violation(parts.seen);
+        if (found.empty()) found = violation(parts.hidden);
+    }
+    return found;
 }
 
 std::string violation_of_bytes(const std::uint8_t* first, std::size_t size) {
