@@ -459,6 +459,7 @@ TEST(LineVisibility, SpecksAreLeftOutWhereNothingMeetsThem) {
     constexpr double small = 0.002, large = 0.05;
     const float whole = length_with_small_ball(small, 0, 0);
     EXPECT_LT(length_with_small_ball(small, 0, 0.005), whole);
+    EXPECT_GT(length_with_small_ball(small, 0, 0.005), 0.99f * whole);
     EXPECT_EQ(length_with_small_ball(large, 0, 0.005), length_with_small_ball(large, 0, 0));
     EXPECT_EQ(length_with_small_ball(small, 1, 0.005), length_with_small_ball(small, 1, 0));
 }

@@ -136,7 +136,6 @@ TEST(Refinement, StaysFlatAtSharpEdges) {
 
 /// What decimation leaves has the lines of the whole.
 TEST(Refinement, GivesCoarseMeshesTheLinesOfFineOnes) {
-    const auto fine = test_meshes::bumpy_sphere(6);
     const TriangleMesh coarse = test_meshes::bumpy_sphere(3).mesh;
     const View view = View::orthographic({0.3, -0.5, 0.8});
     const auto lines_of = [&](const TriangleMesh& mesh) {
@@ -145,7 +144,7 @@ TEST(Refinement, GivesCoarseMeshesTheLinesOfFineOnes) {
         return helpers::extract(LineExtractor(mesh, precompute(mesh, options)), view,
                                 helpers::only(LineKind::Laplacian));
     };
-    const LineSet truth = lines_of(fine.mesh);
+    const LineSet truth = lines_of(test_meshes::bumpy_sphere(6).mesh);
     const auto found = [&](const LineSet& lines) {  // the share of the true lines
         std::size_t near = 0;
         for (const LinePoint& p : truth.points)
