@@ -7,13 +7,14 @@
 #include <QTimer>
 #include <QWidget>
 
-/// Processes events for this long, or all that are pending once.
+/// Processes events for this long; 0: those that are pending.
 inline void wait(int milliseconds) {
     QEventLoop loop;
     QTimer::singleShot(milliseconds, &loop, &QEventLoop::quit);
     loop.exec();
 }
 
+/// Counts its redraws from when it has been shown on.
 class CountingWidget : public QWidget {
 public:
     CountingWidget() {

@@ -105,7 +105,7 @@ TEST(HalfSection, IsRefusedOfWhatIsNoVessel) {
     const Sheet sheet = sheet_helpers::sheet_of(sherd_of(small_vessel(), 270), vessel_options());
     ASSERT_EQ(sheet.remarks.size(), 1);
     EXPECT_EQ(sheet.remarks[0].find("Vessel: rim 7"), 0u) << sheet.remarks[0];
-    EXPECT_NE(joined(sheet_helpers::texts_of(sheet), "|").find("rim 7"), std::string::npos);
+    EXPECT_TRUE(sheet_helpers::has(joined(sheet_helpers::texts_of(sheet), "|"), "rim 7"));
 }
 
 TEST(HalfSection, DrawsTheWallOnTheLeftAndTheOutsideOnTheRight) {

@@ -143,7 +143,7 @@ std::vector<DrawnLine> ring(double radius, int parts, int of) {
     for (int part = 0; part < parts; ++part) {
         DrawnLine line{LineClass::Edge, false, {}};
         for (int i = 0; i <= 4; ++i) {
-            const double angle = 6.283185307179586 * (part + i / 4.) / of;
+            const double angle = 2 * M_PI * (part + i / 4.) / of;
             line.points.push_back({radius * Vector2d(std::cos(angle), std::sin(angle))});
         }
         line.points.front().node = std::uint32_t(part);
@@ -337,7 +337,7 @@ TEST(EndHooks, AreLongWhereTheyAreFaint) {
     EXPECT_NEAR(length_without_hooks({line}), 16, 1e-6);  // more than a third
 }
 
-/// Least and greatest width in mm of what is more than `end` from the ends.
+/// Least and greatest width, mm, of a line of 10 mm along x without `end` mm at each end.
 std::pair<double, double> widths(const DrawnLine& line, double end) {
     double least = INFINITY, most = 0;
     for (const DrawnPoint& point : line.points) {

@@ -16,6 +16,7 @@
 using namespace line_drawing;
 using sheet_helpers::cube_of100;
 using sheet_helpers::extent_of;
+using sheet_helpers::has;
 using sheet_helpers::painter_path;
 using sheet_helpers::plain_views;
 using sheet_helpers::sheet_of;
@@ -58,16 +59,16 @@ TEST(MeasuredDrawing, HasTextsOfOneLine) {
     options.source = "cube\r\n.ply";
     const Sheet sheet = sheet_of(cube_of100(), options);
     EXPECT_EQ(sheet.title, "A B ");
-    EXPECT_NE(joined(texts_of(sheet), "|").find("A B "), std::string::npos);
-    EXPECT_NE(joined(texts_of(sheet), "|").find("cube  .ply"), std::string::npos);
+    EXPECT_TRUE(has(joined(texts_of(sheet), "|"), "A B "));
+    EXPECT_TRUE(has(joined(texts_of(sheet), "|"), "cube  .ply"));
 }
 
 TEST(MeasuredDrawing, TellsSmallSizes) {
     SheetOptions options = plain_views("front");
     options.scale = 1000;
     const Sheet sheet = sheet_of(test_meshes::moved(cube_of100(), {0, 0, 0}, 1.2345e-5), options);
-    EXPECT_NE(joined(texts_of(sheet), "|").find("1.23 × 1.23 × 1.23 µm"), std::string::npos)
-        << joined(texts_of(sheet), "|");
+    const std::string texts = joined(texts_of(sheet), "|");
+    EXPECT_TRUE(has(texts, "1.23 × 1.23 × 1.23 µm")) << texts;
 }
 
 /// Not that of the curved surface, which bulges.
@@ -97,8 +98,8 @@ TEST(MeasuredDrawing, ALightTurnsWithTheView) {
         options.light = light;
         return write_sheet(line_drawing::make_sheets({{mesh, &field}}, {options}).front(), ".svg");
     };
-    EXPECT_EQ(svg("top", Eigen::Vector3d(0, 0, 2)), svg("top", {}));
-    EXPECT_NE(svg("top", Eigen::Vector3d(-1, 1, 1)), svg("top", {}));
+    EXPECT_EQ(svg("left", Eigen::Vector3d(0, 0, 2)), svg("left", {}));
+    EXPECT_NE(svg("left", Eigen::Vector3d(-1, 1, 1)), svg("left", {}));
 }
 
 TEST(MeasuredDrawing, OutlinesOfASphereAreClosedCircles) {

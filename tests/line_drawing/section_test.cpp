@@ -103,7 +103,7 @@ TEST(Walls, AreHatchedFilledOrEmpty) {
     EXPECT_EQ(wall_of(cube_of100(), "x=0.5", WallStyle::None), std::pair(0., std::size_t(0)));
     const auto [no_area, hatching] = wall_of(cube_of100(), "x=0.5", WallStyle::Hatched);
     EXPECT_EQ(no_area, 0);
-    EXPECT_GT(hatching, 50u);
+    EXPECT_GT(hatching, 80u);
     const auto [area, none] = wall_of(cube_of100(), "x=0.5", WallStyle::Filled);
     EXPECT_NEAR(area, 10000, 1);
     EXPECT_EQ(none, 0u);
@@ -117,7 +117,7 @@ TEST(Walls, AreHatchedWithFinePens) {
             options.strokes = strokes;
             const Sheet sheet = sheet_of(cube_of100(), options);
             const auto& lines = layer_of(sheet.groups[0], "fine").paths;
-            ASSERT_GT(lines.size(), 50u);
+            ASSERT_GT(lines.size(), 80u);
             for (const SheetPath& line : lines)
                 EXPECT_NEAR(line.pen_width, options.pens[std::size_t(LineClass::Fine)], 1e-9);
         }
@@ -163,6 +163,7 @@ TEST(SectionMarks, AreNearTheSurfaceOfATurnedView) {
     const TriangleMesh rod = test_meshes::stacked({{50, 10, 0}, {50, 10, 20}});
     const SheetGroup view = sheet_of(rod, with_sections("30,90", "x=0.3")).groups.at(0);
     const QRectF near = surface_of(view).adjusted(-10, -10, 10, 10);
+    EXPECT_EQ(layer_of(view, "marks").paths.size(), 6u);
     for (const SheetPath& path : layer_of(view, "marks").paths)
         EXPECT_TRUE(near.contains(painter_path(path.path).boundingRect()));
 }

@@ -18,7 +18,7 @@ using test_meshes::moved;
 
 namespace {
 
-/// 160 mm along x, 40 along y, 80 below the cube's middle.
+/// 160 mm along x, 40 along y, 80 below the middle of cube_of100().
 TriangleMesh plate() {
     return test_meshes::mapped(test_meshes::plane(16), [](Vector3d& p) {
         p = {80 * p.x(), 20 * p.y(), -80};
@@ -110,7 +110,7 @@ TEST(SeveralObjects, HaveOtherHatchingThanNeighbours) {
 TEST(SeveralObjects, ThatOverlapHaveOneWallInSections) {
     const SheetOptions options = with_sections("", "z=0.3");
     const TriangleMesh cube = cube_of100();
-    const TriangleMesh other = moved(cube, {50, 20, 0}), inner = moved(cube, {20, 20, 0}, 0.2);
+    const TriangleMesh other = moved(cube, {50, 20, 0}), inner = moved(cube, {20, 20, -20}, 0.2);
     const SheetGroup merged = sheet_of_all({cube, other, inner}, options).groups[0];
     // Two squares of 100 mm, less 50 and 80 of each within the other.
     EXPECT_NEAR(length_of(layer_of(merged, "section")), 2 * 400 - 2 * (50 + 80), 0.1);

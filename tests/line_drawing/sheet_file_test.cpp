@@ -11,6 +11,7 @@
 
 using namespace line_drawing;
 using Eigen::Vector2d;
+using sheet_helpers::has;
 using sheet_helpers::painter_path;
 
 namespace {
@@ -157,10 +158,6 @@ int count(const std::string& text, const std::string& part) {
     for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1))
         ++found;
     return found;
-}
-
-bool has(const std::string& text, const std::string& part) {
-    return count(text, part) > 0;
 }
 
 TEST(SheetFiles, DashesAreAPropertyOfLines) {

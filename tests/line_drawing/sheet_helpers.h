@@ -37,7 +37,7 @@ inline QRectF paper_of(const Eigen::Vector2d& size) {
     return {0, 0, size.x(), size.y()};
 }
 
-/// Along the axes of views.
+/// From -50 to 50 along each axis.
 inline laplacian_lines::TriangleMesh cube_of100() {
     return test_meshes::moved(test_meshes::cube(4), {0, 0, 0}, 50);
 }
@@ -99,6 +99,10 @@ inline QRectF extent_of(const line_drawing::SheetGroup& group) {
     return extent;
 }
 
+inline bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != text.npos;
+}
+
 /// Of all groups.
 inline line_drawing::Words texts_of(const line_drawing::Sheet& sheet) {
     line_drawing::Words texts;
@@ -109,7 +113,7 @@ inline line_drawing::Words texts_of(const line_drawing::Sheet& sheet) {
     return texts;
 }
 
-/// Of closed loops that do not cross, without holes.
+/// Of closed loops that do not cross, less their holes.
 inline double area_of(const line_drawing::SheetPath& path) {
     const auto loops = painter_path(path.path).toSubpathPolygons();
     double sum = 0;

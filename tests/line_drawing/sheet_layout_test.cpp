@@ -30,7 +30,7 @@ Sheet sheet_of(const SheetOptions& options) {
     return sheet_helpers::sheet_of(box(), options);
 }
 
-/// Of the views on the sheet.
+/// Of the views, which are on the paper without overlap.
 std::vector<QRectF> places_of(const SheetOptions& options) {
     const Sheet sheet = sheet_of(options);
     std::vector<QRectF> places;
@@ -98,7 +98,7 @@ TEST(SheetLayout, ViewsOfNoSideAreBesideTallObjects) {
 TEST(SheetLayout, TheOnlySectionIsBelowIfItHasNoPlaceBeside) {
     SheetOptions options = fitting("front");
     options.sections.resize(1);
-    options.scale = 0.56;  // 269 mm of 277, and sections are 22 mm wide
+    options.scale = 0.56;  // 269 mm of 277, and the section is 11 mm wide
     const Sheet sheet = sheet_helpers::sheet_of(box({240, 20, 10}), options);
     EXPECT_GT(extent_of(sheet.groups[1]).top(), extent_of(sheet.groups[0]).bottom());
 }
@@ -106,8 +106,8 @@ TEST(SheetLayout, TheOnlySectionIsBelowIfItHasNoPlaceBeside) {
 TEST(SheetLayout, TakesTheLargestUsualScaleThatFits) {
     EXPECT_EQ(sheet_of(fitting("front")).scale, 4);  // 240 mm on lying A4
     EXPECT_EQ(sheet_of(fitting("front", "a5")).scale, 2);
-    EXPECT_EQ(sheet_helpers::sheet_of(box({30, 21.5, 10}), fitting("front")).scale, 4)
-        << "172 mm of 174, and no name below it";
+    EXPECT_EQ(sheet_helpers::sheet_of(box({30, 10, 21.5}), fitting("front")).scale, 4)
+        << "172 mm of 174 high, and no name below it";
     for (const char* name : paper_names())
         EXPECT_GT(sheet_of(fitting("front", name)).size.x(), 100) << name;
 }

@@ -7,17 +7,15 @@
 
 #include "laplacian_lines/error.h"
 #include "line_drawing/sheet_choices.h"
+#include "sheet_helpers.h"
 #include "test_paths.h"
 
 using namespace line_drawing;
+using sheet_helpers::has;
 
 namespace {
 
 using Place = SheetOption::Place;
-
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != text.npos;
-}
 
 std::vector<SheetOption> options_of(Place place) {
     std::vector<SheetOption> options;

@@ -15,7 +15,7 @@ namespace {
 constexpr auto kPens = pens_of(Weights::Illustrator);
 constexpr double kPen = 0.25;  // mm, of inner lines
 
-/// Points .1 mm apart.
+/// Points at most .1 mm apart.
 DrawnLine straight(const Vector2d& from, const Vector2d& to, double weight = 1,
                    LineClass line_class = LineClass::Inner) {
     DrawnLine line{line_class, false, {}};
@@ -28,11 +28,12 @@ DrawnLine straight(const Vector2d& from, const Vector2d& to, double weight = 1,
 
 DrawnLine circle(double circumference) {
     DrawnLine line{LineClass::Inner, true, {}};
-    const double radius = circumference / 6.2831853;
-    for (int i = 0; i <= 100; ++i)
-        line.points.push_back({radius * Vector2d(std::cos(0.062831853 * (i % 100)),
-                                                 std::sin(0.062831853 * (i % 100))),
-                               1, laplacian_lines::kNoNode, false});
+    const double radius = circumference / (2 * M_PI);
+    for (int i = 0; i <= 100; ++i) {
+        const double angle = 2 * M_PI * (i % 100) / 100;
+        line.points.push_back({radius * Vector2d(std::cos(angle), std::sin(angle)), 1,
+                               laplacian_lines::kNoNode, false});
+    }
     return line;
 }
 
@@ -161,7 +162,7 @@ TEST(Thinning, LeavesOutWhatIsTooShortToBeSeen) {
     EXPECT_EQ(thin_out({circle(25 * kPen)}, kPens).size(), 1u);
 }
 
-/// Of lines that meet nothing, below 4 mm.
+/// How many stay, of which those that meet nothing and are below 4 mm are fragments.
 std::size_t whole(const std::vector<DrawnLine>& lines) {
     return without_fragments(lines, 4, kPen).size();
 }
@@ -226,9 +227,9 @@ TEST(Chaining, JoinsLinesOverGaps) {
     EXPECT_EQ(strokes({first, straight({11.5, 0}, {20, 0}), across}), 3u);
 }
 
-/// From (x, 0), degrees to the left.
-DrawnLine towards(double x, double angle, LineClass line_class = LineClass::Inner) {
-    const double a = angle * M_PI / 180;
+/// 9 mm from (x, 0) on, turned from the x axis towards y.
+DrawnLine towards(double x, double degrees, LineClass line_class = LineClass::Inner) {
+    const double a = degrees * M_PI / 180;
     return straight({x, 0}, Vector2d(x, 0) + 9 * Vector2d(std::cos(a), std::sin(a)), 1, line_class);
 }
 

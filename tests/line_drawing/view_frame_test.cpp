@@ -124,7 +124,7 @@ TEST(Perspective, HasNoScale) {
     const Sheet sheet = sheet_of(cube_of100(), from_height(150));
     EXPECT_EQ(sheet.scale, 0);
     EXPECT_EQ(sheet.size, Eigen::Vector2d(210, 297));
-    EXPECT_NE(joined(texts_of(sheet), "/").find("perspective, not to scale"), std::string::npos);
+    EXPECT_TRUE(sheet_helpers::has(joined(texts_of(sheet), "/"), "perspective, not to scale"));
     for (const SheetLayer& layer : sheet.groups.back().layers)
         EXPECT_NE(layer.key, "scale");
     const Sheet fit = sheet_of(cube_of100(), from_height(150, "fit"));
@@ -132,7 +132,7 @@ TEST(Perspective, HasNoScale) {
     EXPECT_LT(fit.size.y(), 297);
 }
 
-/// A ball of 40 mm, whose outline is nearer to the eye than its middle.
+/// A ball of radius 40 mm, whose outline is nearer to the eye than its middle.
 TEST(Perspective, StandsBesideViewsAtScale) {
     const auto ball = test_meshes::sphere(5, 40).mesh;
     SheetOptions options = from_height(100, "a3");

@@ -16,7 +16,7 @@ void bind_new_buffer(GLenum target) {
     glBindBuffer(target, buffer);
 }
 
-/// To what neither drawing nor defaults use.
+/// To other than its defaults.
 void make_state_unusual() {
     bind_new_buffer(GL_ELEMENT_ARRAY_BUFFER);
     glEnableVertexAttribArray(1);

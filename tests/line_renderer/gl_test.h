@@ -59,7 +59,7 @@ private:
     line_renderer::Surface surface_;
 };
 
-/// Untransformed. The surface has to outlive it.
+/// Untransformed, of diagonal 1. Draws nothing once the surface is gone.
 line_renderer::SurfaceLayer layer_of(const line_renderer::SurfacePointer& surface);
 
 /// Replaces a function or value while it lives.
@@ -103,12 +103,12 @@ protected:
 
 class LineTest : public GlTest {
 protected:
-    /// Hidden by the depth buffer.
+    /// Hidden by the placement's depths, or else by the depth buffer.
     QImage drawn(const laplacian_lines::LineSet& lines,
                  const line_renderer::LineAppearance& appearance,
                  line_renderer::LinePlacement placement = Canvas::placement()) {
         depth_.forget_depth_buffer();
-        placement.depths = depth_.copy();
+        if (placement.depths.id == 0) placement.depths = depth_.copy();
         line_renderer::RedrawClock clock;
         renderer_.upload(lines, appearance, placement);
         renderer_.draw(appearance, placement, clock);

@@ -40,11 +40,12 @@ std::vector<StreamPoint> written_stream(const laplacian_lines::LineSet& lines,
     return result;
 }
 
-/// 1000 x 700 pixels.
+const Eigen::Vector2f kHalfViewport(500, 350);  // pixels
+
 StreamSettings settings() {
     StreamSettings result;
     result.radii.fill(3);
-    result.half_viewport = {500, 350};
+    result.half_viewport = kHalfViewport;
     result.tolerance.depth.fill(0.02f);
     result.is_measured = true;
     return result;
@@ -103,8 +104,6 @@ TEST(LineSimplification, JoinsTheEndsOfClosedLines) {
             std::equal((begin + 1)->position, (begin + 1)->position + 3, (end - 1)->position));
     }
 }
-
-const Eigen::Vector2f kHalfViewport(500, 350);
 
 /// Focal length 2, near plane 1, far plane 9, the eye at z = 4.
 LinePlacement perspective() {

@@ -10,7 +10,7 @@ using line_renderer::InkPicture;
 
 constexpr int kWidth = 2 * Canvas::width, kHeight = 3 * Canvas::height;
 
-class PictureTest : public LineTest {
+class PictureTest : public GlTest {
 protected:
     /// What the view shows from a corner on.
     QImage shown(const std::vector<QColor>& colors, const Eigen::Vector2i& corner) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Missing features of OpenGL are refused with a reason each time, without another try; extensions
+// What OpenGL lacks is refused with a reason; programs that fail are not compiled again; extensions
 // of older versions are used.
 #include "gl_functions.h"
 #include "gl_test.h"

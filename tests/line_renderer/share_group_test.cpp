@@ -10,9 +10,7 @@ struct Renderers {
     line_renderer::SurfaceBuffers buffers;
     line_renderer::SurfaceRenderer surfaces;
     line_renderer::LineRenderer lines;
-    line_renderer::SurfacePointer surface;
-
-    Renderers() { surface = Rectangles().add(20, 20, 90, 70, 0).surface(); }
+    line_renderer::SurfacePointer surface = Rectangles().add(20, 20, 90, 70, 0).surface();
 
     QImage picture() {
         const Canvas canvas;

@@ -25,14 +25,12 @@ class SurfacePaintingTest : public GlTest {
 protected:
     SurfacePaintingTest() { canvas_.clear(1, kNothing); }
 
-    QImage painted(const Rectangles& rectangles, SurfaceStyle style = SurfaceStyle::Paper,
+    QImage painted(const SurfacePointer& surface, SurfaceStyle style = SurfaceStyle::Paper,
                    const DepthTexture& depth = {0, {0, 0}, true}) {
-        surface_ = rectangles.surface();
-        renderer_.paint(layer_of(surface_), style, Eigen::Matrix4d::Identity(), depth, buffers_);
+        renderer_.paint(layer_of(surface), style, Eigen::Matrix4d::Identity(), depth, buffers_);
         return canvas_.picture();
     }
 
-    SurfacePointer surface_;
     line_renderer::SurfaceBuffers buffers_;
     line_renderer::SurfaceRenderer renderer_;
 };
@@ -40,7 +38,8 @@ protected:
 TEST_F(SurfacePaintingTest, PaperIsWhiteAndNowhereElseAndHasNoDepth) {
     const QImage picture = painted(Rectangles()
                                        .add(10, 10, 50, 40, 0, normal_at(0.1f))
-                                       .add(80, 20, 30, 70, 0.2, normal_at(1)));
+                                       .add(80, 20, 30, 70, 0.2, normal_at(1))
+                                       .surface());
     for (int x = 0; x < Canvas::width; ++x)
         for (int y = 0; y < Canvas::height; ++y) {
             const bool is_left = x >= 10 && x < 60 && y >= 10 && y < 50;
@@ -59,7 +58,7 @@ TEST_F(SurfacePaintingTest, TonesFollowTheAngleToTheEye) {
         Rectangles rectangles;
         for (int x = 0; x < Canvas::width; ++x)
             rectangles.add(x, 0, 1, Canvas::height, 0, normal_at(side * (float(x) + 0.5f) / 160));
-        const QImage picture = painted(rectangles, SurfaceStyle::Toon);
+        const QImage picture = painted(rectangles.surface(), SurfaceStyle::Toon);
         std::map<int, int> columns;
         for (int x = 0; x < Canvas::width; ++x)
             ++columns[color_at(picture, x, 60).green()];
@@ -80,8 +79,8 @@ TEST_F(SurfacePaintingTest, TonesFollowTheAngleToTheEye) {
 TEST_F(SurfacePaintingTest, LeavesWhatIsNearer) {
     canvas_.put_depth(0, 0, 50, Canvas::height, 0.5);
     canvas_.put_depth(50, 0, 50, Canvas::height, 0.0004);
-    canvas_.put_depth(100, 0, 60, Canvas::height, 0.0016);
-    const QImage picture = painted(Rectangles().add(0, 0, 160, 120, 0));
+    canvas_.put_depth(100, 0, 60, Canvas::height, 0.0006);
+    const QImage picture = painted(Rectangles().add(0, 0, 160, 120, 0).surface());
     EXPECT_EQ(color_at(picture, 25, 60), kNothing);
     EXPECT_EQ(color_at(picture, 75, 60), kPaper);
     EXPECT_EQ(color_at(picture, 125, 60), kNothing);
@@ -89,27 +88,24 @@ TEST_F(SurfacePaintingTest, LeavesWhatIsNearer) {
 
 /// Of a mesh that was refined: MeshLab draws its flat faces.
 TEST_F(SurfacePaintingTest, CurvedFacesCoverTheFlatOnesBeforeThem) {
-    canvas_.put_depth(0, 0, 50, Canvas::height, 0.05);
-    canvas_.put_depth(50, 0, 50, Canvas::height, 0.001);
+    canvas_.put_depth(0, 0, 50, Canvas::height, 0.0021);
+    canvas_.put_depth(50, 0, 50, Canvas::height, 0.0019);
     line_renderer::Surface curved = *Rectangles().add(0, 0, 160, 120, 0).surface();
     curved.most_behind = 0.002;
-    surface_ = std::make_shared<line_renderer::Surface>(curved);
-    renderer_.paint(layer_of(surface_), SurfaceStyle::Paper, Eigen::Matrix4d::Identity(),
-                    {0, {0, 0}, true}, buffers_);
-    const QImage picture = canvas_.picture();
+    const QImage picture = painted(std::make_shared<line_renderer::Surface>(curved));
     EXPECT_EQ(color_at(picture, 25, 60), kNothing);
     EXPECT_EQ(color_at(picture, 75, 60), kPaper);
 }
 
 /// Whichever is drawn last.
 TEST_F(SurfacePaintingTest, PaintsTheNearestFacesOfTheTexture) {
-    const Rectangles rectangles = Rectangles()
-                                      .add(0, 0, 160, 120, 0.4, normal_at(0.95f))
-                                      .add(40, 0, 80, 120, -0.4, normal_at(0.05f));
-    surface_ = rectangles.surface();
+    const SurfacePointer surface = Rectangles()
+                                       .add(0, 0, 160, 120, 0.4, normal_at(0.95f))
+                                       .add(40, 0, 80, 120, -0.4, normal_at(0.05f))
+                                       .surface();
     line_renderer::SurfaceDepth depth;
-    const DepthTexture texture = depth.update({layer_of(surface_)}, buffers_);
-    const QImage picture = painted(rectangles, SurfaceStyle::Toon, texture);
+    const DepthTexture texture = depth.update({layer_of(surface)}, buffers_);
+    const QImage picture = painted(surface, SurfaceStyle::Toon, texture);
     EXPECT_EQ(color_at(picture, 20, 60), kPaper);
     EXPECT_EQ(color_at(picture, 80, 60), kPaper);
 }

@@ -2,7 +2,7 @@
 // The surface that a mesh is painted and hides lines with.
 #include <gtest/gtest.h>
 
-#include <limits>
+#include <cmath>
 
 #include "line_renderer/surface.h"
 
@@ -12,9 +12,8 @@ using laplacian_lines::Field;
 using laplacian_lines::TriangleMesh;
 
 TEST(Surface, HasTheTrianglesWhoseCornersAreFinite) {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     TriangleMesh mesh;
-    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {nan, 0, 0}, {1e300, 0, 0}};
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {NAN, 0, 0}, {1e300, 0, 0}};
     mesh.triangles = {{0, 1, 3}, {0, 1, 2}, {4, 1, 2}, {0, 1, 9}};
     Field field;
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)

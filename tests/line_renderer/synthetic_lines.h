@@ -18,7 +18,7 @@ inline void add_line(laplacian_lines::LineSet& lines,
     lines.lines.push_back(line);
 }
 
-/// Of full weight, following no mesh edges.
+/// Of full weight; of contours, off mesh edges.
 inline void add_line(laplacian_lines::LineSet& lines, const std::vector<Eigen::Vector3f>& places,
                      laplacian_lines::LineKind kind = laplacian_lines::LineKind::Laplacian,
                      bool closed = false, float opacity = 1) {

@@ -224,7 +224,7 @@ Areas areas_of(const Polygon& polygon, const Vector3d& normal) {
     return areas;
 }
 
-/// A gear in a slanted plane: every second corner is concave.
+/// A gear across the normal: every second corner is on the radius `inner`, the others on 1.
 Polygon gear(int corners, double inner, const Vector3d& normal) {
     const Vector3d right = normal.unitOrthogonal(), up = normal.cross(right);
     Polygon polygon;
