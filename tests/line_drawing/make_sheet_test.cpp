@@ -127,13 +127,13 @@ std::vector<double> lengths_of(const Sheet& sheet) {
 }
 
 TEST(MeasuredDrawing, IsThatOfTheWholeSurfaceAcrossCracks) {
-    const laplacian_lines::TriangleMesh whole = sheet_helpers::cube_of100();
+    const laplacian_lines::TriangleMesh whole = cube_of100();
     laplacian_lines::TriangleMesh cracked = test_meshes::cut_apart(whole);
     for (std::size_t v = 0; v < cracked.positions.size(); ++v)
         cracked.positions[v].x() += 0.001 * double(v % 5);  // of 173 mm
     const SheetOptions options = sheet_helpers::with_sections("30,20", "z=0.4");
-    const auto expected = lengths_of(sheet_helpers::sheet_of(whole, options)),
-               found = lengths_of(sheet_helpers::sheet_of(cracked, options));
+    const auto expected = lengths_of(sheet_of(whole, options)),
+               found = lengths_of(sheet_of(cracked, options));
     ASSERT_EQ(found.size(), expected.size());
     EXPECT_GT(*std::max_element(expected.begin(), expected.end()), 390) << "a section's is 400";
     for (std::size_t i = 0; i < found.size(); ++i)
@@ -216,6 +216,7 @@ TEST(ContactSheets, HoldAllViewsWithoutOverlapOnOnePage) {
 TEST(ContactSheets, CutLongTitles) {
     const Sheet sheet = make_contact_sheet(cubes(1), std::string(500, 'W'));
     EXPECT_EQ(sheet.remarks.size(), 1u);
+    ASSERT_FALSE(sheet.groups.back().layers.at(0).texts.empty());
     for (const SheetText& text : sheet.groups.back().layers.at(0).texts)
         EXPECT_LT(width_in_any_font(text.text, text.height), sheet.size.x() - 20);
 }

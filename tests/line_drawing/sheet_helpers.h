@@ -48,9 +48,10 @@ inline line_drawing::Sheet sheet_of(const laplacian_lines::TriangleMesh& mesh,
     return line_drawing::make_sheets({{mesh, &field}}, {options}).front();
 }
 
+/// Views with z up, at 1:1; none if the text is empty.
 inline line_drawing::SheetOptions plain_views(const char* views, const char* paper = "a0") {
     line_drawing::SheetOptions options;
-    options.views = line_drawing::parse_views(views, line_drawing::UpAxis::Z);
+    if (*views) options.views = line_drawing::parse_views(views, line_drawing::UpAxis::Z);
     options.strokes = line_drawing::StrokeStyle::Plain;
     options.paper = paper;
     options.scale = 1;
@@ -58,8 +59,7 @@ inline line_drawing::SheetOptions plain_views(const char* views, const char* pap
 }
 
 inline line_drawing::SheetOptions with_sections(const char* views, const char* sections) {
-    line_drawing::SheetOptions options = plain_views(*views ? views : "front");
-    if (!*views) options.views.clear();
+    line_drawing::SheetOptions options = plain_views(views);
     options.sections = line_drawing::parse_sections(sections);
     options.up = line_drawing::UpAxis::Z;
     return options;

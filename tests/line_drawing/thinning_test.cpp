@@ -346,7 +346,7 @@ std::vector<DrawnLine> rings(int count, double pens_apart) {
     return lines;
 }
 
-/// The lines of a family that are left, all whole.
+/// The numbers of a family's lines that are left, all whole.
 std::vector<std::size_t> whole_of(const std::vector<DrawnLine>& family) {
     std::vector<std::size_t> whole;
     const auto thinned = thin_out(family, kPens);

@@ -16,7 +16,7 @@ void bind_new_buffer(GLenum target) {
     glBindBuffer(target, buffer);
 }
 
-/// To other than its defaults.
+/// To other than a new canvas has.
 void make_state_unusual() {
     bind_new_buffer(GL_ELEMENT_ARRAY_BUFFER);
     glEnableVertexAttribArray(1);

@@ -65,6 +65,7 @@ AnalyticMesh grid_mesh(const Grid& grid,
 /// An icosahedron's triangles split into 4^level.
 TriangleMesh icosphere(int level);
 
+/// `jitter`: vertices move by up to this part of an edge along each axis, before they are mapped.
 AnalyticMesh sphere(int level, double radius = 1, double jitter = 0);
 AnalyticMesh ellipsoid(int level, double jitter = 0);  ///< half axes 1, 0.8, 0.6
 AnalyticMesh bumpy_sphere(int level, double jitter = 0);

@@ -4,7 +4,7 @@
 #include "laplacian_lines/triangle_mesh.h"
 #include "meshlab_host/meshlab_api.h"
 
-/// The current layer of the document, as MeshLab's readers make it.
+/// A new layer, which is then the document's current one; without normals.
 inline CMeshO& add_layer(MeshDocument& document, const char* name,
                          const laplacian_lines::TriangleMesh& source) {
     CMeshO& mesh = document.addNewMesh("", name)->cm;
