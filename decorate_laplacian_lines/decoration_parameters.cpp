@@ -101,7 +101,7 @@ const std::vector<Row>& decoration_table() {
         choice<&Parameters::mixture>(
             "lines", "Lines", line_drawing::settings_names({"As Ticked Below"}),
             "The kinds ticked below, or one of the kinds of other papers with the outlines, "
-            "whatever is ticked. The last has all at once, each in a color of its own."),
+            "whatever is ticked. All Kinds, in Colors: all at once, each in a color of its own."),
         real<kStyle, &LineStyle::detail>(
             "detail", "Detail", 0, 100,
             "0 to 100: more or fewer lines of all kinds; 50 is the usual. At Rest they are those "

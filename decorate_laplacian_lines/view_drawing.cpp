@@ -58,7 +58,8 @@ DepthTexture ViewDrawing::prepare(const LayerInView& layer, bool has_lines,
     const bool is_expected = layers_.reach(layer.view, layer.widget, layer.mesh, layer.surface,
                                            layer.is_first, style_of(chosen.surface).has_value());
     DepthTexture known;
-    if (layer.is_first || !is_expected || has_lines) known = depths(layer.view);
+    const bool paints = style_of(chosen.surface) && (layer.is_first || !is_expected);
+    if (paints || has_lines) known = depths(layer.view);
     if (layer.is_first)
         paint(layers_.in(layer.view), chosen.surface, layer.modelview, known);
     else if (!is_expected)
@@ -72,9 +73,9 @@ DepthTexture ViewDrawing::depths(ViewLayers::View view) {
 }
 
 void ViewDrawing::paint(const std::vector<SurfaceLayer>& layers, SurfaceLook look,
-                        const Eigen::Matrix4d& modelview, const DepthTexture& depths) {
+                        const Eigen::Matrix4d& modelview, const DepthTexture& known) {
     const std::optional<SurfaceStyle> style = style_of(look);
     if (!style) return;
     for (const SurfaceLayer& layer : layers)
-        surfaces_.paint(layer, *style, modelview * layer.transform, depths, buffers_);
+        surfaces_.paint(layer, *style, modelview * layer.transform, known, buffers_);
 }

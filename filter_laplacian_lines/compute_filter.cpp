@@ -5,6 +5,7 @@
 
 #include <QElapsedTimer>
 #include <string>
+#include <vector>
 
 #include "laplacian_lines/error.h"
 #include "laplacian_lines/option_table.h"
@@ -36,8 +37,8 @@ const auto& option_table() {
     return table;
 }
 
-/// Stores the field, unless the mesh was deleted or edited while the progress bar ran the event
-/// loop.
+/// Stores the field. @throws Error(FieldMismatch) if the mesh was deleted or edited while the
+/// progress bar ran the event loop
 void store(MeshDocument& document, int mesh_id, const meshlab_host::GeometryStamp& stamp,
            const Field& field, const PrecomputeOptions& options) {
     MeshModel* mesh = document.getMesh(mesh_id);
@@ -54,15 +55,15 @@ QString mesh_line(const MeshReport& report) {
         .arg(report.triangles);
 }
 
-/// Empty if all was used.
+/// Empty if the report counts nothing as dropped.
 QString dropped_line(const MeshReport& report) {
     QStringList parts;
     if (report.non_finite_vertices)
         parts << counted(report.non_finite_vertices, "vertex with non-finite coordinates",
                          "vertices with non-finite coordinates");
     if (report.degenerate_triangles)
-        parts << counted(report.degenerate_triangles, "triangle without area",
-                         "triangles without area");
+        parts << counted(report.degenerate_triangles, "triangle without a finite area",
+                         "triangles without a finite area");
     if (report.unreferenced_vertices)
         parts << counted(report.unreferenced_vertices, "vertex without triangles",
                          "vertices without triangles");
@@ -89,7 +90,7 @@ QString smoothing_line(const Field& field, const PrecomputeOptions& options) {
     const double sigma = field.scale.normal_sigma / field.scale.mean_edge;
     const bool is_automatic = options.normal_sigma == 0 &&
                               options.normal_smoothing != laplacian_lines::NormalSmoothing::None;
-    return (is_automatic ? QString("Roughness %1: normals").arg(field.report.roughness, 0, 'f', 2)
+    return (is_automatic ? QString("Roughness %1, normals").arg(field.report.roughness, 0, 'f', 2)
                          : QString("Normals")) +
            (sigma > 0 ? QString(" smoothed by %1 mean edges").arg(sigma, 0, 'f', 2)
                       : QString(" as they are"));

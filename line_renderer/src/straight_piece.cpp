@@ -62,7 +62,8 @@ void StraightPiece::narrow_directions(const Vector& offset, float distance) {
     if (distance <= aside_ / 2) return;
     const float ratio = aside_ / distance;
     const float cosine = std::max(0.0f, 1 - ratio * ratio / 2);
-    const float sine = std::sqrt(1 - cosine * cosine);
+    // not from the cosine, which rounds to 1 far from the start
+    const float sine = cosine > 0 ? ratio * std::sqrt(1 - ratio * ratio / 4) : 1;
     const Vector left(cosine * offset.x() - sine * offset.y(),
                       cosine * offset.y() + sine * offset.x());
     const Vector right(cosine * offset.x() + sine * offset.y(),

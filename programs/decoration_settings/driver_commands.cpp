@@ -84,10 +84,12 @@ QStringList setting_commands(const QStringList& settings) {
 std::vector<ComparedPicture> compared_pictures(const QString& names) {
     QStringList wanted;
     for (const QString& name : names.split(','))
-        if (name.trimmed() == "all")  // each mixture except that of all kinds
-            wanted << mixture_keys().mid(0, int(laplacian_lines::kLineMixtures.size()) - 1);
-        else
+        if (name.trimmed() == "all") {
+            wanted << mixture_keys();
+            wanted.removeOne("all_kinds");
+        } else {
             wanted << name.trimmed();
+        }
     std::vector<ComparedPicture> pictures;
     for (const QString& name : wanted)
         pictures.push_back(picture_of(name));

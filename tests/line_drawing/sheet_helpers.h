@@ -79,12 +79,13 @@ inline double length_of(const line_drawing::SheetLayer& layer) {
     return length;
 }
 
+/// From a polyline; infinite if it has fewer than two points.
 inline double distance_to(const std::vector<Eigen::Vector2d>& line, const Eigen::Vector2d& p) {
     double least = INFINITY;
     for (std::size_t i = 1; i < line.size(); ++i) {
         const Eigen::Vector2d &a = line[i - 1], span = line[i] - a;
-        const double length = span.squaredNorm();
-        const double t = length > 0 ? std::clamp(span.dot(p - a) / length, 0., 1.) : 0;
+        const double squared = span.squaredNorm();
+        const double t = squared > 0 ? std::clamp(span.dot(p - a) / squared, 0., 1.) : 0;
         least = std::min(least, (a + t * span - p).norm());
     }
     return least;

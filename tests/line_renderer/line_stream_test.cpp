@@ -72,6 +72,16 @@ TEST(LineSimplification, DrawsAStraightLineAsOneSegment) {
     EXPECT_EQ(points_of(points, settings()).size(), 5u) << "with a faint place";
 }
 
+/// Of over 1500 pixels, the place 850 pixels on is half a pixel aside.
+TEST(LineSimplification, IsAsExactFarFromTheStart) {
+    std::vector<LinePoint> points;
+    for (int i = 0; i <= 4000; ++i)
+        points.push_back({{0.00075f * float(i) - 1.5f, 0.0003f * float(i), 0}, 1, 0, 1});
+    EXPECT_EQ(points_of(points, settings()).size(), 2u);
+    points[2200].position.y() += 0.5f / 350;
+    EXPECT_EQ(points_of(points, settings()).size(), 5u);
+}
+
 TEST(LineSimplification, KeepsTheLengthAlongTheLine) {
     std::vector<LinePoint> points;
     for (int i = 0; i <= 400; ++i)  // teeth of a tenth of a pixel

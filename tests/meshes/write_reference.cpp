@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// write_reference MESH FOLDER: a mesh of the registry as FOLDER/MESH.ply and, in FOLDER/MESH.txt, a
-// line per vertex: the core's field with the default options, as in MeshLab's attributes, then the
-// truth (n, Δn, diagonal and rest of S). The first line has the layout, # NAME:NUMBERS..., with
-// "true_" before names of the truth. For tests in other languages.
-// write_reference --attributes: names and numbers of the field alone.
+// write_reference MESH FOLDER: a mesh of the registry that has a truth, as FOLDER/MESH.ply and, in
+// FOLDER/MESH.txt, a line per vertex: the core's field with the default options, as in MeshLab's
+// attributes, then the truth (n, Δn, diagonal and rest of S). The first line has the layout, #
+// NAME:NUMBERS..., with "true_" before names of the truth. For tests in other languages.
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
-#include <iostream>
 #include <limits>
 
 #include "laplacian_lines/field_columns.h"
@@ -31,20 +28,6 @@ std::ofstream open(const std::string& path) {
     return file;
 }
 
-/// Through text: GCC 12's vectorizer drops casts from double to float and back.
-double as_read_from_file(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.9g", value);
-    return std::strtof(text, nullptr);
-}
-
-TriangleMesh as_read_from_file(TriangleMesh mesh) {
-    for (auto& p : mesh.positions)
-        for (double& coordinate : p)
-            coordinate = as_read_from_file(coordinate);
-    return mesh;
-}
-
 void write_ply(const TriangleMesh& mesh, const std::string& path) {
     std::ofstream file = open(path);
     file << "ply\nformat ascii 1.0\nelement vertex " << mesh.positions.size()
@@ -54,13 +37,7 @@ void write_ply(const TriangleMesh& mesh, const std::string& path) {
         file << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
     for (const auto& t : mesh.triangles)
         file << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
-}
-
-/// NAME:NUMBERS per attribute, each followed by `separator`.
-void write_attributes(const std::vector<FieldColumn>& columns, char separator, std::ostream& out) {
-    for (const FieldColumn& column : columns)
-        for (const FieldAttribute& attribute : column.attributes)
-            if (attribute.floats > 0) out << attribute.name << ':' << attribute.floats << separator;
+    file.close();  // or a full disk is not noticed
 }
 
 template <class Vector>
@@ -84,7 +61,9 @@ void write_field(const TestMesh& mesh, const Field& field, const std::string& pa
     const std::vector<FieldColumn> columns = present_columns(field);
     std::ofstream file = open(path);
     file << "# ";
-    write_attributes(columns, ' ', file);
+    for (const FieldColumn& column : columns)
+        for (const FieldAttribute& attribute : column.attributes)
+            if (attribute.floats > 0) file << attribute.name << ':' << attribute.floats << ' ';
     file << truth_layout << '\n';
     for (std::size_t v = 0; v < mesh.mesh.positions.size(); ++v) {
         for (const FieldColumn& column : columns)
@@ -92,24 +71,21 @@ void write_field(const TestMesh& mesh, const Field& field, const std::string& pa
                 file << column.read(field)[v * std::size_t(column.floats) + i] << ' ';
         write_truth(mesh.truth.at(v), file);
     }
+    file.close();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc == 2 && argv[1] == std::string("--attributes")) {
-        write_attributes(laplacian_lines::present_columns(Field()), '\n', std::cout);
-        return 0;
-    }
     if (argc != 3) {
-        std::fprintf(stderr, "write_reference MESH FOLDER, write_reference --attributes\n");
+        std::fprintf(stderr, "write_reference MESH FOLDER\n");
         return 2;
     }
     try {
         const std::string name = argv[1];
         const TestMesh& mesh = test_meshes::mesh_named(name);
         const std::string path = std::string(argv[2]) + "/" + mesh.name;
-        const TriangleMesh stored = as_read_from_file(mesh.mesh);
+        const TriangleMesh stored = test_meshes::rounded_to_floats(mesh.mesh);  // as it is read
         write_ply(stored, path + ".ply");
         write_field(mesh, laplacian_lines::precompute(stored), path + ".txt");
         return 0;

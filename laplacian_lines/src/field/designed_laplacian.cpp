@@ -20,7 +20,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSpacing = 0.5;  // √h; sides of small triangles are shorter
-// And one for each vertex and triangle: more take over a second.
+// Of points, beside one for each vertex and one for each triangle: more take over a second.
 constexpr std::size_t kMostPoints = 1000000;
 
 /// The vertices of a mesh, and then points on its triangles.
@@ -28,7 +28,7 @@ struct PointCloud {
     std::vector<Vector3d> positions, normals;
     std::vector<double> masses;
     double spacing;    // local units
-    std::size_t most;  // points: one more, and it is full
+    std::size_t most;  // of all points, vertices included; with one more it is full
 
     bool is_full() const { return masses.size() > most; }
 
@@ -89,6 +89,8 @@ std::vector<Vector3d> designed_laplacian(const PreparedMesh& mesh, double kernel
         const std::uint32_t number = points.original_vertex[i];
         points.masses[i] = cloud.masses[number];
         normals_of_points[i] = cloud.normals[number];
+        // they only correct borders: points are no targets, and sharp vertices have no tangent
+        // plane
         if (number < mesh.size() && !vertices[number].is_sharp)
             operators[i] = shape_operators[number];
     }

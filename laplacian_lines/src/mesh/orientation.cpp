@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How triangles are turned outwards:
 //  1. Neighbours across edges of two triangles are made to agree; what is connected so is a
-//     component, with the orientation that most of its area has.
+//     component, with the orientation that most of its area has. One that cannot, such as a Möbius
+//     strip, stays as it is, also where its triangles could agree.
 //  2. A closed component, also one with holes, is turned as a whole if its volume is negative.
 //  3. A closed component inside another one, found by a ray, is a cavity of it or a part within, so
 //     it is turned exactly if that one was. What is inside a cavity decides for itself.
@@ -36,7 +37,8 @@ struct Component {
     double area = 0, flipped_area = 0;   // twice
     double volume = 0;                   // six times, of the cones from the origin
     std::size_t sides = 0, borders = 0;  // borders: of one triangle, not of three or more
-    bool is_orientable = true, is_closed = false, is_flipped = false;
+    bool is_orientable = true, is_closed = false;
+    bool is_flipped = false;                 // to be turned as a whole
     std::vector<std::uint32_t> around = {};  // closed ones that it lies in
 
     void add(const PreparedMesh& mesh, const Triangle& t, double sign) {
@@ -71,8 +73,8 @@ struct Component {
     }
 };
 
-/// Whether the ray from a point along x passes a triangle. Consistent at sides: one that meets a
-/// side passes one of its two triangles or, if both are seen on one side of it, both or none.
+/// Whether the ray from a point towards +x pierces a triangle. Consistent at sides: a ray through a
+/// side pierces one of its two triangles or, if both are seen on one side of it, both or none.
 bool is_pierced(const PreparedMesh& mesh, const Triangle& t, const Vector3d& from) {
     const Vector3d corners[3] = {mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]};
     const auto is_left = [&](const Vector3d& a, const Vector3d& b) {
@@ -102,7 +104,7 @@ void find_nesting(const PreparedMesh& mesh, const std::vector<std::uint32_t>& co
                 box.extend(mesh.positions[v].cast<float>().eval());
             return box;
         });
-    std::vector<std::uint32_t> first(components.size());
+    std::vector<std::uint32_t> first(components.size());  // triangle of each
     for (std::size_t t = mesh.triangles.size(); t-- > 0;)
         first[component_of[t]] = std::uint32_t(t);
     in_parallel(components.size(), [&](std::size_t b) {

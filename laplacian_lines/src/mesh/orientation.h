@@ -5,9 +5,9 @@
 
 namespace laplacian_lines {
 
-/// Turns triangles so that neighbours agree about the outside where that is possible and closed
-/// bodies face outwards, see orientation.cpp. Fills in the edges and turned triangles of
-/// MeshReport.
+/// Turns triangles so that neighbours agree about the outside in each component that can be
+/// oriented, and closed bodies face outwards, see orientation.cpp. Fills in the edges and turned
+/// triangles of MeshReport.
 void orient(PreparedMesh& mesh);
 
 }  // namespace laplacian_lines

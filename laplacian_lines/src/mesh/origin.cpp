@@ -14,9 +14,10 @@ namespace {
 
 // Share of the area in triangles with a side of more than 3 mean edges: segmented volumes have
 // none, decimated to a quarter .26; CAD meshes that look like them .54 and more.
-constexpr double kLongSide = 3, kMostUneven = 0.4;
+constexpr double kLongSide = 3, kMostUneven = 0.4;  // mean edges; share of the area
 // Faces of voxels have 13 directions, of sides, edges and corners of a cube. These have .93 of the
-// area, decimated to a quarter .64; of three CAD meshes with terraces by mistake .04, .05, .71.
+// area, decimated to a quarter .64; of three CAD meshes with terraces .04, .05 and, of one that
+// kMostUneven rejects, .71.
 constexpr int kDirections = 13;
 constexpr double kLeastOfVoxels = 0.5, kSameDirection = 0.9994;  // cosine of 2°
 // Share of the area in triangles longer than the kernel, from which a mesh is a Design: seventy CAD
@@ -34,7 +35,8 @@ double share_of_long(const PreparedMesh& mesh, double length) {
            sum_of(count, area);
 }
 
-/// Whether flat faces are those of voxels, also of turned and decimated volumes.
+/// Whether flat faces are like those of voxels: small, and most of their area has as few
+/// directions, whichever these are. Those of turned and decimated volumes are, too.
 bool are_of_voxels(const FlatFaces& flat) {
     if (flat.are_large()) return false;
     auto rest =

@@ -20,8 +20,9 @@ struct LengthUnit {
     double mm, below;
 };
 constexpr LengthUnit kLengthUnits[] = {
-    {" µm", 1e-3, 0.1}, {" mm", 1, 1e4}, {" m", 1e3, 1e7}, {" km", 1e6, 0}};
+    {" µm", 1e-3, 0.1}, {" mm", 1, 1e4}, {" m", 1e3, 1e7}, {" km", 1e6, INFINITY}};
 
+/// With three decimals where two would leave one digit; .0995 is .10 with two.
 std::string rounded(double x) {
     if (x < 0.0995) return in_digits(std::round(1000 * x) / 1000);
     return in_decimals(x, x < 10 ? 2 : x < 1000 ? 1 : 0);
@@ -34,11 +35,12 @@ std::string rounded(double x) {
 
 laplacian_lines::LineKindSet kinds_in(const std::string& names) {
     if (const auto kinds = laplacian_lines::kinds_named(names)) return *kinds;
-    refuse("--kinds is \"" + names + "\". It has to be some of " +
-           laplacian_lines::names_of_kinds() + ", with commas between.");
+    laplacian_lines::refuse_value(
+        "--kinds", "\"" + names + "\"",
+        "some of " + laplacian_lines::names_of_kinds() + ", with commas between");
 }
 
-/// At most `width` characters a line, indented but for the first.
+/// At most `width` bytes a line, unless a word is longer; lines but the first are indented.
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t width) {
     std::string result;
     std::size_t column = indent;
@@ -83,7 +85,7 @@ DetailSize parse_detail_size(std::string_view text) {
     if (unit == 0 || !(size >= 1e-3 && size <= 100))
         refuse("\"" + std::string(text) +
                "\" is not a size of detail. Say auto, a length on paper such as 1mm, or a share of "
-               "the object's diagonal such as 0.9%.");
+               "the object's diagonal such as 0.9%: 0.001 to 100 of either.");
     return {is_share ? size / 100 : size, is_share};
 }
 
@@ -95,7 +97,7 @@ std::string scale_text(double scale) {
 std::string size_text(const Eigen::Vector3d& mm, const char* times) {
     const double longest = mm.maxCoeff() > 0 ? mm.maxCoeff() : 1;
     const LengthUnit* unit = kLengthUnits;
-    while (unit + 1 != std::end(kLengthUnits) && longest >= unit->below)
+    while (!(longest < unit->below) && unit + 1 != std::end(kLengthUnits))
         ++unit;
     Words sides;
     for (int axis = 0; axis < 3; ++axis)

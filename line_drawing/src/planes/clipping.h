@@ -21,7 +21,8 @@ struct HalfSpace {
 };
 
 /// The parts inside, cut on the plane. Closed lines inside stay closed; others, but for a Cut, are
-/// also cut where they begin.
+/// also cut where they begin. What else lines
+/// tell, such as their length, stays that of the whole line.
 laplacian_lines::LineSet clip(const laplacian_lines::LineSet& lines, const HalfSpace& inside);
 std::vector<laplacian_lines::ViewLine> clip(const std::vector<laplacian_lines::ViewLine>& lines,
                                             const HalfSpace& inside);

@@ -26,6 +26,7 @@ struct FilterDescription {
 /// MeshLab's points.
 using FilterResults = std::map<std::string, QVariant>;
 
+/// Adds a point of MeshLab; in 2020.09, which discards results, a list of three numbers.
 void add_result(const char* name, const Eigen::Vector3d& value, FilterResults& results);
 
 struct FilterRun {
@@ -37,8 +38,8 @@ struct FilterRun {
     FilterResults& results;                        ///< empty; MeshLab 2020.09 asks for none
 };
 
-/// An entry of the Filters menu that works on the current mesh, which has faces, and changes
-/// nothing MeshLab draws of it. GUI thread only.
+/// An entry of the Filters menu that works on the current mesh and changes nothing MeshLab draws of
+/// it. MeshLab offers it for meshes with faces only; run() refuses others. GUI thread only.
 struct Filter {
     FilterDescription description;
     /// Adds the parameters with defaults for this mesh, which may be null.
@@ -60,7 +61,7 @@ private:
         return filters_.at(std::size_t(ID(action)));
     }
     void say(const QString& line) { MESHLAB_HOST_LOG(line.toStdString()); }
-    /// Runs a filter; returns the message of an exception, or nothing.
+    /// Runs a filter; returns why it failed, or nothing.
     QString run_catching_all(const Filter& filter, MeshDocument& document,
                              const RichParameterList& parameters, vcg::CallBackPos* progress,
                              FilterResults& results);

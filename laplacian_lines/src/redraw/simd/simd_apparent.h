@@ -310,7 +310,7 @@ static inline void collect_apparent_corners(const Batch& batch, const ActiveTria
 }
 
 /// The part of a kind (simd_kinds.h) that cull() and begin_batch() ask for.
-struct ApparentRidges : FacingKind {
+struct ApparentRidges : OnFacingSurface {
     static constexpr LineKind kKind = LineKind::ApparentRidge;
     static constexpr unsigned kForms = kCurvatures;
 };

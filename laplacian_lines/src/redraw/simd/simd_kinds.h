@@ -6,8 +6,9 @@
 //    n·eye below ExtractionTask's bound at all corners,
 //  - unwanted(rules, cluster, group): a bit for each triangle of the group that holds no line,
 //  - source(task): the eye or light l whose S l is the gradient at a crossing,
-//  - test(rules, task, batch, crossings, count): opacities of crossings, and which are accepted
-//    if the rules use slopes,
+//  - test(rules, task, batch, crossings, count): opacities of crossings; if the rules use slopes,
+//    also which are accepted and, unless kSlope is Scaled, the vectors d of SegmentSlope in place
+//    of the gradients,
 //  - kSlope: what a segment's slope is.
 #pragma once
 
@@ -44,7 +45,7 @@ struct Contours {
 };
 
 /// What kinds of lines share that are drawn on what faces the eye.
-struct FacingKind {
+struct OnFacingSurface {
     static constexpr bool kIsFacing = false;
 
     static inline std::uint64_t unwanted(const LineRules& rules, const Cluster& cluster,
@@ -56,7 +57,8 @@ struct FacingKind {
     }
 };
 
-/// Opacities of crossings that would double a contour nearby: to first order it is I/‖∇I‖ away on
+/// Opacities of crossings that would double a contour nearby, as clearance_opacity() of
+/// rules/thresholds.h computes them. To first order the contour is I/‖∇I‖ away, I = facing, on
 /// the surface, which is seen at half the crossing's cosine on the way there.
 static inline Floats opacity_beside_contours(const LineRules& rules, Floats facing,
                                              Floats gradient) {
@@ -95,7 +97,7 @@ static inline void test_laplacian_crossings(const LineRules& rules, const Extrac
             if (rules.whole) {
                 const Floats part = concave.product / concave.tangential;
                 const Floats most = part < gradient ? part : gradient;
-                const Floats clamped = part > -gradient ? most : -gradient;  // that for NaN
+                const Floats clamped = part > -gradient ? most : -gradient;  // -gradient for NaN
                 store(m.concave + i, clamped);
                 accepted &= clamped >= rules.least_concavity * gradient;
             } else {
@@ -111,7 +113,7 @@ static inline void test_laplacian_crossings(const LineRules& rules, const Extrac
 }
 
 /// Laplacian lines: the zeros of ΔI = Δn·l.
-struct LaplacianLines : FacingKind {
+struct LaplacianLines : OnFacingSurface {
     static constexpr LineKind kKind = LineKind::Laplacian;
     static constexpr unsigned kForms = 1u << kLaplacianForm;
     static constexpr SegmentSlope kSlope = SegmentSlope::Scaled;
@@ -144,7 +146,7 @@ static inline void evaluate_curvatures(const ClusterInSlot& place, const float e
 }
 
 /// Photic extremum lines: the zeros of Hess I(g, g), g = ∇I, where ‖g‖ is largest along g.
-struct PhoticExtrema : FacingKind {
+struct PhoticExtrema : OnFacingSurface {
     static constexpr LineKind kKind = LineKind::PhoticExtremum;
     static constexpr unsigned kForms = kCurvatures;
     static constexpr SegmentSlope kSlope = SegmentSlope::AlongOnce;
@@ -178,12 +180,12 @@ struct PhoticExtrema : FacingKind {
 /// vector to the eye v is a positive multiple; with sign 1 where it grows towards the eye, −1 where
 /// it falls.
 template <LineKind kind, int sign>
-struct RadialZeros : FacingKind {
+struct RadialZeros : OnFacingSurface {
     static constexpr LineKind kKind = kind;
     static constexpr unsigned kForms = kCurvatures;
     static constexpr SegmentSlope kSlope = SegmentSlope::Along;
-    // Where the eye looks along the normal, or along the surface, the derivative means nothing; it
-    // is kept within what these let it become.
+    // Least divisors: where the eye looks along the normal, or along the surface, the derivative
+    // means nothing and would grow without bound.
     static constexpr float kLeastSquaredSine = 0.03f, kLeastCosine = 0.1f;
 
     static inline void evaluate(const ExtractionTask& task, const ClusterInSlot& place,
