@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <stdexcept>
 
 #include "gl_functions.h"
@@ -168,9 +169,8 @@ void LineRenderer::upload(const laplacian_lines::LineSet& lines, const LineAppea
 
     const StreamSettings settings =
         stream_settings(appearance, relative_to(origin_, placement), half_viewport());
-    const bool is_there = buffers.fill(
-        most, [&](StreamPoint* stream) { write_stream(lines, settings, stream, parts); });
-    if (!is_there)
+    const auto write = [&](StreamPoint* stream) { write_stream(lines, settings, stream, parts); };
+    if (!buffers.fill(most, std::ref(write)))  // copies are allocated
         throw std::runtime_error("Lines cannot be drawn: OpenGL has no memory for them.");
     parts_ = std::move(parts);
 }

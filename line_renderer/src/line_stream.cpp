@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <functional>
 
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/threads.h"
@@ -51,6 +53,7 @@ float mark_of(const Polyline& line, const LinePoint& from, const LinePoint& to) 
     if (line.kind == LineKind::Border) return kEdgeMark;
     if (line.kind == LineKind::Crease) return line.slope < 0 ? kAwayMark : kEdgeMark;
     if (!laplacian_lines::follows_edge(line.kind, from, to)) return 0;
+    // −0 at both ends of a hollow edge, see LinePoint::gradient
     return std::signbit(from.gradient) && std::signbit(to.gradient) ? kAwayMark : kEdgeMark;
 }
 
@@ -66,8 +69,8 @@ public:
         const LineTolerance& tolerance = settings_.tolerance;
         SeenPoint seen;
         seen.values = {0, tapered_radius(full_radius_, point.weight), point.opacity};
-        seen.is_before_eye = clip.w() > 0 && clip.z() > -clip.w();
-        if (!seen.is_before_eye) return seen;
+        seen.is_before_near_plane = clip.w() > 0 && clip.z() > -clip.w();
+        if (!seen.is_before_near_plane) return seen;
         const float nearness = 1 / clip.w();
         seen.pixel = clip.head<2>().cwiseProduct(settings_.half_viewport) * nearness;
         seen.values[SeenDepth] = clip.z() * nearness;
@@ -83,7 +86,7 @@ private:
 };
 
 float length_between(const SeenPoint& a, const SeenPoint& b) {
-    return a.is_before_eye && b.is_before_eye ? (b.pixel - a.pixel).norm() : 0;
+    return a.is_before_near_plane && b.is_before_near_plane ? (b.pixel - a.pixel).norm() : 0;
 }
 
 /// Writes the points that are needed.
@@ -158,7 +161,7 @@ bool is_drawn(const Polyline& line) {
     return line.count >= 2;
 }
 
-std::size_t length_of(const Polyline& line) {
+std::size_t most_points_of(const Polyline& line) {
     return is_drawn(line) ? line.count + 2 : 0;
 }
 
@@ -181,8 +184,8 @@ Runs cut_in_runs(const LineSet& lines) {
             const std::size_t begin = run->last_line;
             *++run = {begin, begin};
         }
-        run->lengths[describe(line.kind).bounds_form] += length_of(line);
-        length += length_of(line);
+        run->lengths[describe(line.kind).bounds_form] += most_points_of(line);
+        length += most_points_of(line);
         ++run->last_line;
     }
     return runs;
@@ -205,7 +208,7 @@ std::size_t write_run(const LineSet& lines, const Run& run, bool outlines,
 std::size_t stream_length(const LineSet& lines) {
     std::size_t length = 0;
     for (const Polyline& line : lines.lines)
-        length += length_of(line);
+        length += most_points_of(line);
     return length;
 }
 
@@ -219,10 +222,11 @@ void write_stream(const LineSet& lines, const StreamSettings& settings, StreamPo
             parts.push_back({next, 0});
             next += run.lengths[outlines];
         }
-    laplacian_lines::in_parallel(parts.size(), [&](std::size_t i) {
+    const auto write_part = [&](std::size_t i) {
         parts[i].length = write_run(lines, runs[i % kMostRuns], i >= kMostRuns, settings,
                                     stream + parts[i].first);
-    });
+    };
+    laplacian_lines::in_parallel(parts.size(), std::ref(write_part));  // copies are allocated
 }
 
 LineRadii line_radii(const LineAppearance& appearance, double pixel_scale) {

@@ -25,7 +25,7 @@ StraightPiece::StraightPiece(float tolerance)
 void StraightPiece::begin(const SeenPoint& start) {
     start_ = start;
     is_empty_ = true;
-    is_open_ = start.is_before_eye;
+    is_open_ = start.is_before_near_plane;
     reach_ = kLeastReach;
     has_cone_ = false;
     least_slope_.fill(-std::numeric_limits<float>::infinity());
@@ -33,7 +33,7 @@ void StraightPiece::begin(const SeenPoint& start) {
 }
 
 bool StraightPiece::try_extend(const SeenPoint& point) {
-    is_open_ = is_open_ && point.is_before_eye;
+    is_open_ = is_open_ && point.is_before_near_plane;
     const Vector offset = point.pixel - start_.pixel;
     const float distance = offset.norm();
     if (!is_empty_ && !(is_open_ && can_end(point, offset, distance))) return false;

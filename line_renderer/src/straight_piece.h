@@ -14,7 +14,7 @@ struct SeenPoint {
     Eigen::Vector2f pixel = Eigen::Vector2f::Zero();
     SeenValues values{};
     SeenValues tolerance{};  ///< by how much the picture's values may differ from them
-    bool is_before_eye = false;
+    bool is_before_near_plane = false;
 };
 
 /// Simplifies lines: successive points that one straight segment can replace, found in one pass.

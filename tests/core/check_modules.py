@@ -22,8 +22,10 @@ def tables():
     return found
 
 
-def sources(folder):
-    return [file for file in sorted(folder.rglob("*")) if file.suffix in {".h", ".cpp"}]
+def sources(place):
+    """The files of code in a folder, or the file itself."""
+    files = [place] if place.is_file() else sorted(place.rglob("*"))
+    return [file for file in files if file.suffix in {".h", ".cpp"}]
 
 
 def includes(file):
@@ -63,11 +65,13 @@ def check_top(modules):
         complaints.extend(f"{module} may include {name}, which is not a module" for name in allowed - set(modules) - {"nothing"})
         for file in sources(root / module):
             for name in includes(file):
+                if name.startswith(".."):
+                    complaints.append(f"{file.relative_to(root)} includes {name} by a path")
                 owner = owner_of(name, file, modules, headers)
                 count += owner is not None
                 if owner and owner not in allowed:
                     complaints.append(f"{file.relative_to(root)} includes {name} of {owner}, which its module may not")
-                elif owner not in {None, module} and (root / owner / "src").is_dir() and not (root / owner / "include" / name).is_file():
+                elif owner not in {None, module} and (root / owner / "include").is_dir() and not (root / owner / "include" / name).is_file():
                     complaints.append(f"{file.relative_to(root)} includes {name}, which {owner} keeps to itself")
         readme = root / module / "README.md"
         if not readme.is_file() or not re.search("(?s)In scope:.*Out of scope:", readme.read_text()):
@@ -98,5 +102,5 @@ check_folders(root, [*top, "tests", "programs/benchmarks", "docs", "scripts"])
 count = check_top(top)
 for heading, modules in found.items():
     count += check_library(heading.removeprefix("Modules of "), modules)
-print("\n".join(complaints) or f"{count} includes between {len(top) + sum(map(len, found.values()))} modules")
+print("\n".join(complaints) or f"{count} includes of {len(top) + sum(map(len, found.values()))} modules checked")
 sys.exit(bool(complaints) or count == 0)

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+#include <memory>
+#include <new>
+
 #include "event_loop.h"
 
 namespace {
@@ -12,7 +16,7 @@ using line_renderer::SurfaceLayer;
 
 class ViewLayersTest : public testing::Test {
 protected:
-    /// Moved; `is_in_depth_buffer`: MeshLab's has the surface.
+    /// The surface, moved by `shift` along x; `is_in_depth_buffer`: MeshLab's depth buffer has it.
     SurfaceLayer layer(double shift, bool is_in_depth_buffer = false) const {
         SurfaceLayer result;
         result.surface = surface_;
@@ -21,7 +25,7 @@ protected:
         return result;
     }
 
-    /// Of meshes 0, 1, ..., once.
+    /// One redraw, which reaches these layers as meshes 0, 1, ...
     void redraw(const std::vector<SurfaceLayer>& layers) {
         for (std::size_t i = 0; i < layers.size(); ++i)
             layers_.reach(view_, &widget_, int(i), layers[i], i == 0, is_painted_);
@@ -36,7 +40,7 @@ protected:
 
     CountingWidget widget_;
     ViewLayers layers_;
-    bool is_painted_ = false;  // surfaces are
+    bool is_painted_ = false;  // as reach() takes it
     const int name_ = 0;
     const ViewLayers::View view_ = &name_;
     const std::shared_ptr<const Surface> surface_ = std::make_shared<Surface>();
@@ -70,7 +74,7 @@ TEST_F(ViewLayersTest, RedrawAViewThatWasWrong) {
     EXPECT_EQ(redraws_after({layer(4)}), 0) << "the first one is known before any line is drawn";
 }
 
-/// Expectations do not matter there.
+/// There it does not matter that a layer is not as it was.
 TEST_F(ViewLayersTest, DoNotRedrawWhatTheDepthBufferHides) {
     EXPECT_EQ(redraws_after({layer(1, true), layer(2, true)}), 0);
     EXPECT_EQ(redraws_after({layer(1, true), layer(3, true)}), 0);
@@ -81,10 +85,12 @@ TEST_F(ViewLayersTest, DoNotRedrawWhatTheDepthBufferHides) {
 }
 
 TEST_F(ViewLayersTest, MayOutliveTheWidget) {
-    auto widget = std::make_unique<QWidget>();
-    layers_.reach(view_, widget.get(), 0, layer(1), true, false);
-    layers_.reach(view_, widget.get(), 1, layer(2), false, false);
-    widget.reset();
+    alignas(QWidget) unsigned char memory[sizeof(QWidget)];
+    auto* const widget = new (memory) QWidget;
+    layers_.reach(view_, widget, 0, layer(1), true, false);
+    layers_.reach(view_, widget, 1, layer(2), false, false);
+    widget->~QWidget();
+    std::memset(memory, 0xff, sizeof memory);  // who still uses it crashes
     wait(50);
     EXPECT_EQ(layers_.in(view_).size(), 2u);
 }

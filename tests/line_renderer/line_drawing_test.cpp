@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Visible lines: width, colors, joints and ends, in pixels.
+#include <algorithm>
 #include <cmath>
 
 #include "gl_test.h"
@@ -14,7 +15,7 @@ using line_renderer::LineAppearance;
 const LineSet kHorizontal = one_line({{20, 60.3f, 0}, {70, 60.3f, 0}, {140, 60.3f, 0}});
 const LineSet kOblique = one_line({{20, 20, 0}, {140, 90, 0}});
 
-/// Across columns 40 to 120, at this slope.
+/// Mean width over columns 40 to 119 of a black line of this slope, pixels.
 double width_in(const QImage& picture, double slope) {
     double ink = 0;
     for (int x = 40; x < 120; ++x)
@@ -37,7 +38,7 @@ TEST_F(LineTest, GrowWithThePixelsOfTheViewport) {
     EXPECT_NEAR(width_in(drawn(kHorizontal, black_lines(2), placement), 0), 5, 0.03);
 }
 
-/// From about a third.
+/// At weight 0 they keep 0.35 of their width.
 TEST_F(LineTest, TaperWithTheirWeight) {
     LineSet line = one_line({{20, 60.3f, 0}, {140, 60.3f, 0}});
     line.points[0].weight = 0;
@@ -111,7 +112,7 @@ TEST_F(LineTest, KeepTheirWidthWhereTheyTurnBack) {
     }
 }
 
-/// Points a tenth of a pixel apart, mostly not drawn.
+/// Points a tenth of a pixel apart, of which the tolerance drops some.
 TEST_F(LineTest, LookTheSameWithoutThePointsThatAreNotSeen) {
     LineSet lines;
     for (int i = 0; i < 5; ++i) {

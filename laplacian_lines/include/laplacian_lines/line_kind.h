@@ -30,12 +30,13 @@ struct LineKindDescription {
     const char* help;                ///< of the switch
     const char* one;                 ///< a line of this kind, within a sentence
     const char* many;                ///< several
-    bool bounds_form = false;        ///< the others describe what is inside
+    bool bounds_form = false;        ///< an outline or border; others lie within
     bool shown = true;               ///< by default
     bool needs_derivatives = false;  ///< needs Field::has_derivatives()
-    std::uint32_t color = 0;         ///< by default, 0xRRGGBB
-    std::uint32_t key_color = 0;     ///< where many kinds are drawn; 0: the common line color
-    double width = 1;                ///< by default, in widths of a Laplacian line of full weight
+    /// 0xRRGGBB, of polylines and in Python; the window and drawings have one color for lines.
+    std::uint32_t color = 0;
+    std::uint32_t key_color = 0;  ///< where many kinds are drawn; 0: the common line color
+    double width = 1;             ///< by default, in widths of a Laplacian line of full weight
 };
 
 /// One row per kind, in the order of their numbers.

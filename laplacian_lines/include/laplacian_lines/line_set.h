@@ -14,8 +14,9 @@ struct LinePoint {
     Eigen::Vector3f position;  ///< mesh coordinates, less the set's origin
     float weight;              ///< 0..1, share of the full line width
     /// ‖∇I‖·D; of contours and suggestive ones for the light at the eye, 0 where contours follow
-    /// edges; of apparent ridges q1·D; of ridges, valleys, creases and demarcating curves the angle
-    /// by which the surface turns, degrees; of borders 0.
+    /// edges, −0 at both ends of a hollow edge seen from outside, which its own surface hides; of
+    /// apparent ridges q1·D; of ridges, valleys, creases and demarcating curves the angle by which
+    /// the surface turns, degrees; of borders 0.
     float gradient;
     float opacity;  ///< 0..1; lines that are about to vanish are nearly transparent
 };

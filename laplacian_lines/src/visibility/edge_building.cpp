@@ -8,13 +8,13 @@
 namespace laplacian_lines {
 namespace {
 
-/// A side of a triangle, or a part of one.
+/// A side of a triangle, a cut through one, or a part of either, not yet grouped by edge.
 struct LooseSide {
     Edge edge;
     VisibilityMesh::Side side;
 };
 
-/// Appends the parts of a side between the vertices that lie on it. `on_edges`: sorted.
+/// Appends the parts of a side or cut between the vertices that lie on it. `on_edges`: sorted.
 void divide_side(const VisibilityMesh& mesh, const std::vector<SurfaceContacts::OnEdge>& on_edges,
                  std::uint32_t from, std::uint32_t to, std::uint32_t triangle,
                  std::vector<LooseSide>& parts) {

@@ -52,7 +52,8 @@ struct StandardText {
     bool is_whole = true;  ///< false: letters that the fonts lack are question marks
 };
 
-// Thousandths of the height, from code 32 on; 0: no letter.
+// Helvetica's, in thousandths of the height, from code 32 on; 0: no letter. width_of() differs for
+// ¯ ± µ · ÷.
 // clang-format off
 constexpr std::array<short, 224> kHelveticaWidths = {
     278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278, 556, 556, 556,
@@ -70,7 +71,7 @@ constexpr std::array<short, 224> kHelveticaWidths = {
 // clang-format on
 constexpr char32_t kFirstCode = 32;
 
-/// Codes 0x80 to 0x9f; all others are Unicode's.
+/// The letters of codes 0x80 to 0x9f, U+FFFD where there is none; other codes are Unicode's.
 constexpr std::u32string_view kFrom0x80 =
     U"\u20ac\ufffd\u201a\u0192\u201e\u2026\u2020\u2021\u02c6\u2030\u0160\u2039\u0152\ufffd\u017d"
     U"\ufffd\ufffd\u2018\u2019\u201c\u201d\u2022\u2013\u2014\u02dc\u2122\u0161\u203a\u0153\ufffd"
@@ -119,7 +120,8 @@ private:
             const char* fill = path.path.fill_rule == FillRule::EvenOdd ? "f*\n" : "f\n";
             data_ += in_digits(path.tone) + " g " + path_data(path.path) + fill;
         } else if (path.dash > 0) {
-            data_ += "q 0 J [" + coordinates({path.dash, path.dash / 2}) + "] 0 d ";
+            data_ += "q 0 J [" + in_thousandths(path.dash) + ' ' + in_thousandths(path.dash / 2) +
+                     "] 0 d ";
             stroke(path);
             data_ += "Q\n";
         } else {

@@ -9,9 +9,9 @@
 
 namespace line_drawing {
 
-// By the compiled-in font (../../letters), which has Helvetica's widths: Latin, Greek, Cyrillic,
-// and signs. Letters that it lacks are drawn by others that look alike, such as Ø for ⌀, or become
-// boxes.
+// By the compiled-in font (../../letters), which has Helvetica's widths but for a few signs: Latin,
+// Greek, Cyrillic, and signs. Letters that it lacks are drawn by others that look alike, such as Ø
+// for ⌀, or become boxes.
 
 /// In heights of the font.
 double width_of(char32_t letter);

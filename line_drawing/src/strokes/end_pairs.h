@@ -15,9 +15,10 @@ namespace line_drawing {
 
 constexpr std::size_t kNoEnd = std::size_t(-1);
 
-/// For each end of lines the end that continues it, or kNoEnd: those whose cost(a, b), if they do,
-/// is least are paired first. `positions`: two by two, of the ends of a line. All ends within
-/// `reach` of each other are asked for, and some that are farther apart.
+/// For each end of lines the end that continues it, or kNoEnd. cost(a, b), a < b, is a
+/// std::optional<double>: nothing if these ends do not continue each other; the cheapest pairs are
+/// made first. `positions`: ends 2i and 2i + 1 are those of line i. All ends within `reach` of each
+/// other are asked for, and some that are farther apart.
 template <class Cost>
 std::vector<std::size_t> pair_ends(const std::vector<Eigen::Vector2d>& positions, double reach,
                                    Cost cost) {

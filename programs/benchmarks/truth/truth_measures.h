@@ -163,7 +163,8 @@ struct TruthScores {
     double precision = 1;      ///< the share of the drawing that is near an exact line
     int ends = 0;              ///< of open paths
     PlaneLines missed, wrong;  ///< in small pieces
-    PlaneLine loose_ends;      ///< at no other path, or part of their own, and no true end
+    PlaneLine loose_ends;      ///< at no other path, or part of their own, and at no end of
+                               ///< a required line
 };
 
 /// Lines may be `tolerance` mm off, and ends .5 mm and `slack`, for coarse meshes, from true ones.

@@ -84,18 +84,18 @@ bool ends_in_direction(const PlaneLine& line, double along, const PlanePoint& di
            (is_last && direction_from_end(line, true).dot(direction) >= kLeastCosine);
 }
 
-/// Ends of exact lines that no other line continues: lines that end there run back beside them, as
-/// at the tips of a circle seen nearly edge-on, which pens draw as one line.
-PlaneLine true_ends(const PlaneLines& exact) {
-    const NearSegments near(exact, kJointGap);
+/// Ends of required lines that no other required line continues: lines that end there run back
+/// beside them, as at the tips of a circle seen nearly edge-on, which pens draw as one line.
+PlaneLine true_ends(const PlaneLines& required) {
+    const NearSegments near(required, kJointGap);
     PlaneLine ends;
-    for (const PlaneLine& line : exact) {
+    for (const PlaneLine& line : required) {
         if (line.size() < 2) continue;
         for (const bool is_last : {false, true}) {
             const PlanePoint& end = is_last ? line.back() : line.front();
             const PlanePoint direction = direction_from_end(line, is_last);
             const bool leads_on = near.any_near(end, [&](const NearPlace& place) {
-                return !ends_in_direction(exact[place.line], place.along, direction);
+                return !ends_in_direction(required[place.line], place.along, direction);
             });
             if (!leads_on) ends.push_back(end);
         }
@@ -103,10 +103,10 @@ PlaneLine true_ends(const PlaneLines& exact) {
     return ends;
 }
 
-void score_ends(const PlaneLines& drawing, const PlaneLines& exact, double slack,
+void score_ends(const PlaneLines& drawing, const PlaneLines& required, double slack,
                 TruthScores& scores) {
     const NearSegments near(drawing, kJointGap);
-    const PlaneLine ends_of_exact = true_ends(exact);
+    const PlaneLine known_ends = true_ends(required);
     const auto look = [&](const PlanePoint& p, std::size_t own, double own_along) {
         ++scores.ends;
         const bool is_joined = near.any_near(p, [&](const NearPlace& place) {
@@ -115,7 +115,7 @@ void score_ends(const PlaneLines& drawing, const PlaneLines& exact, double slack
         const auto is_here = [&](const PlanePoint& end) {
             return (p - end).norm() <= kTrueEndGap + slack;
         };
-        if (!is_joined && std::none_of(ends_of_exact.begin(), ends_of_exact.end(), is_here))
+        if (!is_joined && std::none_of(known_ends.begin(), known_ends.end(), is_here))
             scores.loose_ends.push_back(p);
     };
     for (std::size_t i = 0; i < drawing.size(); ++i) {
