@@ -75,13 +75,20 @@ private:
         mesh_.expect_vertices(vertices_);
     }
 
+    /// In any order: Geomview has ST, C, N, and MeshLab writes N, C, ST.
     void read_prefix(std::string_view prefix) {
-        for (const auto& [name, words] : {std::pair("ST", 2), {"C", 4}, {"N", 3}})
-            if (prefix.substr(0, std::string_view(name).size()) == name) {
-                prefix.remove_prefix(std::string_view(name).size());
-                words_of_vertex_ += std::size_t(words);
-            }
-        if (!prefix.empty()) throw Defect{"of OFF files, those in 4 or n dimensions are not read"};
+        while (!prefix.empty()) {
+            const char first = prefix[0];
+            prefix.remove_prefix(prefix.substr(0, 2) == "ST" ? 2 : 1);
+            if (first == 'S')
+                words_of_vertex_ += 2;
+            else if (first == 'C')
+                words_of_vertex_ += 4;
+            else if (first == 'N')
+                words_of_vertex_ += 3;
+            else
+                throw Defect{"of OFF files, those in 4 or n dimensions are not read"};
+        }
     }
 
     static std::uint64_t count_in(std::string_view word) {
@@ -138,6 +145,7 @@ bool is_all(std::string_view bytes, Layout layout, MeshBuilder& mesh) {
     try {
         OffReader reader(text, all, layout);
         reader.read();
+        // words out of step look like faces of 0 to 2 corners
         if (!reader.is_at_end() || (layout != Layout::Lines && all.skipped_faces() > 0))
             return false;
     } catch (const Defect&) {

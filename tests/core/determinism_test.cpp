@@ -46,17 +46,17 @@ Field with_threads(int threads, const TriangleMesh& mesh, const PrecomputeOption
 /// Calls visit(mesh, options) where fields are summed in all ways.
 template <class Visit>
 void for_each_way(const Visit& visit) {
-    PrecomputeOptions other, directly, by_grid;
+    PrecomputeOptions other, exact, by_grid;
     other.gradient_estimator = GradientEstimator::LeastSquares;
-    other.curvature_derivatives = directly.curvature_derivatives = true;
+    other.curvature_derivatives = exact.curvature_derivatives = true;
     other.normal_sigma = 1;
-    directly.accuracy = 1e-4;
+    exact.accuracy = 1e-4;
     by_grid.kernel_size = 0.2;
     for (const char* name : {"hills", "three_sheets", "dirty_torus"})
         visit(test_meshes::mesh_named(name).mesh, other);
     // Several ranges of vertices, and parts of the tree built in parallel.
     const TriangleMesh large = test_meshes::torus(200, 100, 0.2).mesh;
-    for (const PrecomputeOptions& options : {PrecomputeOptions(), directly, by_grid})
+    for (const PrecomputeOptions& options : {PrecomputeOptions(), exact, by_grid})
         visit(large, options);
 }
 
@@ -72,7 +72,8 @@ TEST(Determinism, FieldsDoNotDependOnTheNumberOfThreads) {
 TEST(Determinism, FieldsDoNotDependOnTheInstructionSet) {
     if (narrower_sets().empty()) GTEST_SKIP() << "there is one";
     for_each_way([](const TriangleMesh& mesh, PrecomputeOptions options) {
-        for (const double accuracy : {options.accuracy, 1e-6}) {  // summed quickly, exactly
+        for (const double accuracy :
+             {options.accuracy, 1e-6}) {  // the options' own, and the finest
             options.accuracy = accuracy;
             const Field widest = precompute(mesh, options);
             for (InstructionSet set : narrower_sets()) {
@@ -226,6 +227,7 @@ TEST_F(Extraction, CanBeGivenDerivativesLater) {
 TEST_F(Extraction, LeavesTheScratchUsableAfterAnError) {
     ExtractionScratch scratch;
     LineSet lines;
+    extractor_.extract(views_[1], helpers::all_kinds(), scratch, lines);
     LineStyle bad;
     bad.full_slope = 0;
     EXPECT_THROW(extractor_.extract(views_[0], bad, scratch, lines), Error);

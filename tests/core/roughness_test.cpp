@@ -34,7 +34,7 @@ double drawn_length(const TriangleMesh& mesh, const PrecomputeOptions& options) 
     const double d = field.scale.diagonal;
     const LineSet lines = helpers::extract(LineExtractor(mesh, field),
                                            View::perspective(d * Vector3d(0.5, 0.3, 1.4)), {});
-    double length = 0;
+    double length = 0;  // as drawn, after smoothing, unlike helpers::total_length()
     for (const Polyline& line : lines.lines)
         for (std::uint32_t i = line.first + 1; i < line.first + line.count; ++i)
             length += double((lines.points[i].position - lines.points[i - 1].position).norm()) / d;
@@ -67,12 +67,13 @@ TEST(Roughness, TellsTerracesAndNoiseOnSmoothForms) {
     EXPECT_LT(sigma_of(rough), 1.7);
     EXPECT_GT(sigma_of(test_meshes::terraced_head(100)), sigma_of(rough))
         << "more voxels: the same terraces on a form that is smoother at their scale";
-    EXPECT_GT(sigma_of(test_meshes::with_noise(test_meshes::sphere(5).mesh, 0.4)), 1.6);
+    EXPECT_GT(sigma_of(test_meshes::with_noise(test_meshes::sphere(5).mesh, 0.4)), 1.6)
+        << "more than 1.5 √.4: on so smooth a form, noise counts as terraces";
 }
 
 constexpr int kSteps = 8;
 
-/// Finely cut.
+/// Treads and risers of size 1, each cut into three strips of squares.
 TriangleMesh steps() {
     constexpr int kCuts = 3;
     const auto place = [](double i) {  // along treads and risers in turn
@@ -111,7 +112,8 @@ TEST(Roughness, IsNoneOfFineStepsOfADesign) {
     EXPECT_EQ(precompute(turned).report.roughness, 0);
 }
 
-/// 1.5 times the root of the noise, in mean edges, whatever the form and however coarse.
+/// 1.5 times the root of the noise, in mean edges, on forms that turn too much, or meshes too
+/// coarse, for noise to count as terraces.
 TEST(Roughness, MeasuresNoise) {
     for (const TriangleMesh& mesh :
          {test_meshes::bumpy_sphere(4).mesh, test_meshes::cylinder(48, 24).mesh,

@@ -84,6 +84,9 @@ const std::vector<Sample>& tetrahedra() {
         {"off over lines", Format::Off,
          "NOFF # of a test\n4\n4 6\n0 0 0\n0 0 1 2 0 0\n0 0 1\n0 3 0 0\n0 1 0 0 4 0 0 1\n"
          "3 0\n2 1 255 0\n3 0 1 3\n3\n0 3 2\n3 1 2 3 .5\n"},
+        {"off of MeshLab", Format::Off,
+         "CSTOFF\n4 4 0\n0 0 0 255 0 0 255 0 0 \n2 0 0 255 0 0 255 1 0 \n0 3 0 0 0 0 255 0 1 \n"
+         "0 0 4 0 0 0 255 1 1 \n3 0 2 1 \n3 0 1 3 \n3 0 3 2 \n3 1 2 3 \n"},
         {"stl", Format::Stl, stl_text()},
         {"binary stl", Format::Stl, stl_binary("of a test")},
         {"binary stl of a solid", Format::Stl, stl_binary("solid of a test")},

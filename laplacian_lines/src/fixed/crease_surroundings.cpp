@@ -84,7 +84,7 @@ public:
 
     /// Whether the mean normals of two sides differ about as much as those at the edge do.
     static bool differ(const EdgeSide& here, const EdgeSide& there, float angle) {
-        return angle_between(here.normals_, there.normals_) >=
+        return degrees_between(here.normals_, there.normals_) >=
                std::min(kConfirmed * angle, kConfirmedAnyway);
     }
 

@@ -14,7 +14,7 @@ constexpr float kNotch = 2;  // least factor by which the notch in an edge of th
 
 /// Of an edge between triangles of these normals: degrees times its length, 0 at a border.
 float bend(const Vector3f& a, const Vector3f& b, float length) {
-    return b.isZero(0) ? 0 : angle_between(a, b) * length;
+    return b.isZero(0) ? 0 : degrees_between(a, b) * length;
 }
 
 /// Two triangles p, q, r and q, p, s with the four around them.
@@ -26,7 +26,7 @@ struct Quad {
     /// Whether both triangles are parts of larger flat faces, which the other diagonal would cut.
     bool splits_faces() const {
         const auto is_flat = [](const Vector3f& normal, const Vector3f& beyond) {
-            return !beyond.isZero(0) && angle_between(normal, beyond) < kFlat;
+            return !beyond.isZero(0) && degrees_between(normal, beyond) < kFlat;
         };
         return (is_flat(upper, around[0]) || is_flat(upper, around[1])) &&
                (is_flat(lower, around[2]) || is_flat(lower, around[3]));

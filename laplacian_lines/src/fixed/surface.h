@@ -13,8 +13,8 @@ namespace laplacian_lines {
 
 constexpr float kDegrees = 57.29577951308232f;  ///< in a radian
 
-/// Degrees, between vectors of any length.
-inline float angle_between(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+/// Between vectors of any length.
+inline float degrees_between(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
     return arc_tangent(length_of(a.cross(b)), dot(a, b)) * kDegrees;
 }
 
@@ -46,11 +46,12 @@ public:
         return position(end(side)) - position(begin(side));
     }
 
-    /// Whether there is a triangle with an area beyond a side.
+    /// Whether the edge is of two triangles, of which the other one has an area; sides() counts
+    /// those without, too.
     bool has_neighbour(std::uint32_t side) const {
         return sides_.has_neighbour(side) && beyond(side).area > 0;
     }
-    // Only where has_neighbour():
+    // Only where sides().has_neighbour():
     std::uint32_t across(std::uint32_t side) const { return sides_.across(side); }
     const Facet& beyond(std::uint32_t side) const { return facets_[across(side) / 3]; }
     /// −1 if the triangle beyond has the opposite orientation; a factor of its normal.

@@ -23,7 +23,7 @@ struct WindowView {
     double pixels_per_mm = 10;  ///< pixels for a mm on paper, the unit of pens
 };
 
-/// The lines that are painted in one color.
+/// The lines that are painted in one color; they give way only to each other.
 struct Ink {
     laplacian_lines::LineKindSet kinds = laplacian_lines::all_kinds();
     /// Only lines behind the surface, undashed; other inks then have none.

@@ -19,7 +19,9 @@ using laplacian_lines::report;
 
 // Progress at which visibility, and the lines within faces, are prepared.
 constexpr double kSightShare = 0.3, kLinesShare = 0.7;
-constexpr double kRoomAround = 12;  // mm: twice the largest constant of strokes/, 24 inner pens
+// mm: twice 24 inner pens of .25 mm, the largest constant of strokes/. Lengths that grow with the
+// picture, a share of it and the kernel, may be more.
+constexpr double kRoomAround = 12;
 constexpr std::size_t kMostKeptBytes = std::size_t(128) << 20;  // of extractors for other kernels
 
 /// In pixels, x right, y down.
@@ -30,8 +32,8 @@ Eigen::Vector2d pixel_of(const Eigen::Vector3d& point, const WindowView& view) {
         .cwiseProduct(view.size.cast<double>());
 }
 
-/// The placement of a view on a sheet whose upper left corner is that of the window, from a point
-/// before the eye and one right of it.
+/// The placement of a view on a sheet whose upper left corner is that of the window, from the
+/// point before the eye, or the middle of a parallel view, and one right of it.
 Placement placement_of(const WindowView& view, const Eigen::Vector3d& middle, double mm_per_unit,
                        double reach) {
     const Eigen::Vector3d seen =
@@ -64,9 +66,10 @@ std::vector<std::uint8_t> paint_ink(const DrawnView& drawn, const Placement& pla
     report(progress, 1, "Drawing");
     std::vector<SheetGroup> groups;
     groups.push_back(draw_view(drawn, 1, placement, options));
-    for (SheetLayer& layer : groups.front().layers)
-        for (SheetPath& path : layer.paths)
-            if (is_hidden) path.dash = 0;
+    if (is_hidden)
+        for (SheetLayer& layer : groups.front().layers)
+            for (SheetPath& path : layer.paths)
+                path.dash = 0;
     report(progress, 1, "Painting");
     return paint_groups(groups, window.size, window.pixels_per_mm).grays();
 }
