@@ -104,8 +104,9 @@ class Surface:
         else:
             back = _unit(eye - self._centre, "the way from the mesh's middle to the eye", "give a direction, too")
         up = _unit(_vector(up, "up"), "up")
-        if numpy.linalg.norm(numpy.cross(up, back)) < 1e-6:  # from above or below: another axis is up
-            up = numpy.roll(up, 1)
+        if numpy.linalg.norm(numpy.cross(up, back)) < 1e-6:  # from above or below, as in drawings: the front is down or up
+            front = numpy.array((0, -1, 0) if abs(up[2]) > 0.5 else (0, 0, 1))
+            up = -front if up @ back > 0 else front
         right = _unit(numpy.cross(up, back), "up, across the direction,")
         plane = Page(right, numpy.cross(back, right), back, eye)
         light = None if light is None else _vector(light, "light").tolist()

@@ -35,7 +35,10 @@ class Lines(unittest.TestCase):
         numpy.testing.assert_allclose(lines.page, lines.points[:, [0, 2]], atol=1e-12)
         seen = ll.visible_lines(torus(), eye=(0, 0, 10), kinds="contours")
         numpy.testing.assert_allclose(seen.page, seen.points[:, :2] / (10 - seen.points[:, 2:]), atol=1e-12)
-        self.assertTrue(numpy.isfinite(ll.lines(torus(), direction=(0, 1, 0)).page).all())  # along the usual up
+        for direction, up, upwards in (((0, 1, 0), (0, 1, 0), (0, 0, -1)), ((0, -1, 0), (0, 1, 0), (0, 0, 1)),
+                                       ((0, 0, 1), (0, 0, 1), (0, 1, 0)), ((1, 1, 1), (1, 1, 1), (-1, 2, -1))):
+            page = ll.lines(torus(), direction=direction, up=up).plane  # from above and below, as drawings are
+            numpy.testing.assert_allclose(page.up, numpy.array(upwards) / numpy.linalg.norm(upwards), atol=1e-12)
         self.assertNotEqual(lines.plane, seen.plane)
 
     def test_hidden_parts(self):
