@@ -50,6 +50,8 @@ def main():
     parser.add_argument("--pictures", metavar="FOLDER", help="with --truth: gets SVG files of what is missed or wrong")
     options, others = parser.parse_known_args()
     unknown = [word for word in others if not word.startswith("--benchmark_")]
+    if options.pictures and not options.truth:
+        parser.error("--pictures goes with --truth")
     if unknown or len(options.names) > 1 and not options.truth:
         parser.error(f"not understood: {' '.join(unknown or options.names[1:])}")
     return truth(options) if options.truth else speed(options.names, others)

@@ -73,6 +73,8 @@ def main():
         options.host, options.required, options.checks, options.reach = "all", True, True, True
     if options.required:
         os.environ["LAPLACIAN_LINES_REQUIRED"] = "true"  # by tests that would be skipped
+    if options.versions and not options.host or options.fuzz is not None and options.fuzz < 1:
+        raise Failure("--versions goes with --host, and --fuzz takes at least a second")
     if options.fuzz:
         return print(checks.fuzz_alone(options.fuzz))
     if options.sanitized:
