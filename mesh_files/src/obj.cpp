@@ -44,10 +44,10 @@ public:
     }
 
 private:
-    /// A backslash at the end continues the line.
+    /// A backslash at the end continues the line; that of a comment may end a folder's name.
     bool next(std::string_view& line) {
         if (!text_.next_line(line)) return false;
-        if (!goes_on(line)) return true;
+        if (!goes_on(line) || line[0] == '#') return true;
         joined_.clear();
         do {
             joined_.append(line.substr(0, line.size() - 1));

@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "formats/sheet_writers.h"
 #include "laplacian_lines/error.h"
 #include "sheet_helpers.h"
 
@@ -177,10 +178,16 @@ TEST(SheetFiles, OfDxfHaveTextsAsData) {
     Sheet sheet = small_sheet();
     SheetText& text = sheet.groups[0].layers[1].texts[0];
     const std::string before = write_sheet(sheet, ".dxf");
-    text.text = "a\n0\nLINE\r8 100 %c 5%% %° \xc3\xbc \xf0\x9f\x98\x80";
+    text.text = "a\n0\nLINE\r8 100 %c 5%% %° x^3 \xc3\xbc \xf0\x9f\x98\x80";
     const std::string dxf = write_sheet(sheet, ".dxf");
-    EXPECT_TRUE(has(dxf, "\n1\na 0 LINE 8 100 %c 5%%%%%% %%%%%d \\U+00FC ?\n"));
+    EXPECT_TRUE(has(dxf, "\n1\na 0 LINE 8 100 %c 5%%%%%% %%%%%d x^ 3 \\U+00FC ?\n"));
     EXPECT_EQ(count(dxf, "\n"), count(before, "\n"));
+}
+
+TEST(SheetFiles, OfPdfHaveLargerUnitsAboveFiveMetres) {
+    const std::string pdf = write_sheet({{100, 12700}, "", {}}, ".pdf");  // 36,000 points high
+    EXPECT_TRUE(has(pdf, "[0 0 94.48818898 12000] /UserUnit 3 "));
+    EXPECT_TRUE(has(pdf, deflated("0.9448818898 0 0 -0.9448818898 0 12000 cm 1 J 1 j\n")));
 }
 
 }  // namespace

@@ -88,8 +88,8 @@ TEST(ViewFrames, AreReadFromTheirWords) {
         EXPECT_LT((read.right - frame.right).norm() + (read.up - frame.up).norm(), 1e-7);
         EXPECT_EQ(read.eye, frame.eye);
     }
-    for (const char* words :
-         {"toward", "toward 1 0 0 0 1", "toward 1 0 0 2 0 0", "toward 0 0 0 0 1 0"})
+    for (const char* words : {"toward", "toward 1 0 0 0 1", "toward 1 0 0 2 0 0",
+                              "toward .1 .2 .3 .3 .6 .9", "toward 0 0 0 0 1 0"})
         EXPECT_THROW(parse_views(words, UpAxis::Z), laplacian_lines::Error) << words;
 }
 

@@ -68,7 +68,7 @@ TEST(WholeFiles, DoNotDependOnTheLocale) {
 
 TEST(WholeFiles, OfObjMayCountVerticesBackAndJoinLines) {
     const MeshInFile file = read_mesh(
-        Format::Obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3/1/1 -2//2 \\\n -1\nf 2 1 4\nv 5 5 5");
+        Format::Obj, "#C:\\\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf -3/1/1 -2//2 \\\n -1\nf 2 1 4\nv 5 5 5");
     EXPECT_EQ(file.defect, "");
     ASSERT_EQ(file.mesh.triangles.size(), 2u);
     EXPECT_EQ(file.mesh.triangles[0], (laplacian_lines::Triangle{0, 1, 2}));

@@ -56,7 +56,7 @@ bool may_write(const fs::path& file) {
     refuse_to_write(file, std::generic_category().message(error));
 }
 
-/// The system would truncate the name there.
+/// The system would end the name at a null character.
 void refuse_null(std::string file) {
     const std::size_t place = file.find('\0');
     if (place == file.npos) return;
@@ -82,7 +82,7 @@ public:
 
     /// A full disk takes a part; the next write then fails with the reason.
     void write(std::string_view data) {
-        constexpr std::size_t most = 1 << 30;  // of what Windows takes at once
+        constexpr std::size_t most = 1 << 30;  // Windows takes less than twice as much at once
         while (!data.empty()) {
             const auto count = ::write(number_, data.data(), unsigned(std::min(data.size(), most)));
             if (count < 0 && errno != EINTR) refuse_by_system(name_);

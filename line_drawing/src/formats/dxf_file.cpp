@@ -139,11 +139,11 @@ private:
         write({{0, "SEQEND"}, {8, layer}});
     }
 
-    /// %% begins a code, so a percent sign beside another or a code is written as %%%. Codes of
-    /// letters have four digits; letters beyond, such as emoji, become "?".
+    /// %% begins a code, so a percent sign beside another or a code is written as %%%, and ^ a
+    /// control character. Codes of letters have four digits; others, such as emoji, become "?".
     static std::string in_letters(const std::string& text) {
         const std::map<char32_t, std::string> codes = {
-            {U'\u00b0', "%%d"}, {U'\u2300', "%%c"}, {U'\u00b1', "%%p"}};
+            {U'\u00b0', "%%d"}, {U'\u2300', "%%c"}, {U'\u00b1', "%%p"}, {U'^', "^ "}};
         const std::u32string all = letters_of(text);
         const auto begins_code = [&](std::size_t i) {
             return i < all.size() && (all[i] == '%' || codes.count(all[i]) > 0);

@@ -2,6 +2,7 @@
 // A page as PDF: numbered objects, and a table of their places. Texts are in fonts that every
 // reader has, whose widths are here; those with other letters are drawn by lettering.h.
 #include <array>
+#include <cmath>
 
 #include "formats/sheet_writers.h"
 #include "laplacian_lines/version.h"
@@ -14,6 +15,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kPointsPerMm = 72 / 25.4;
+constexpr double kMostUnits = 14400;  // of a page's side, for readers: 5.08 m if these are points
 
 std::string coordinates(const Vector2d& p) {
     return in_thousandths(p.x()) + ' ' + in_thousandths(p.y()) + ' ';
@@ -106,9 +108,9 @@ StandardText in_standard_fonts(const std::string& text) {
 /// A page's content stream, in millimetres, y down.
 class Content {
 public:
-    std::string of(const Sheet& sheet) {
-        data_ = in_digits(kPointsPerMm, 10) + " 0 0 -" + in_digits(kPointsPerMm, 10) + " 0 " +
-                in_digits(kPointsPerMm * sheet.size.y(), 10) + " cm 1 J 1 j\n";
+    std::string of(const Sheet& sheet, double units_per_mm) {
+        data_ = in_digits(units_per_mm, 10) + " 0 0 -" + in_digits(units_per_mm, 10) + " 0 " +
+                in_digits(units_per_mm * sheet.size.y(), 10) + " cm 1 J 1 j\n";
         for_each_mark(sheet.groups, [&](const auto& mark, const auto&, const auto&) { add(mark); });
         return data_;
     }
@@ -177,14 +179,15 @@ std::string xmp(const std::string& provenance) {
 class PdfWriter {
 public:
     std::string write(const Sheet& sheet) {
-        const Vector2d size = kPointsPerMm * sheet.size;
+        const double unit = std::ceil(kPointsPerMm * sheet.size.maxCoeff() / kMostUnits);
+        const Vector2d size = kPointsPerMm / unit * sheet.size;
         object("<</Type /Catalog /Pages 2 0 R /ViewerPreferences <</PrintScaling /None>>" +
                std::string(sheet.provenance.empty() ? "" : " /Metadata 8 0 R") + ">>");
         object("<</Type /Pages /Kids [3 0 R] /Count 1>>");
         object("<</Type /Page /Parent 2 0 R /MediaBox [0 0 " + in_digits(size.x(), 10) + ' ' +
-               in_digits(size.y(), 10) +
-               "] /Contents 4 0 R /Resources <</Font <</H 5 0 R /S 6 0 R>>>>>>");
-        stream("/Filter /FlateDecode", deflated(Content().of(sheet)));
+               in_digits(size.y(), 10) + (unit > 1 ? "] /UserUnit " + in_digits(unit, 10) : "]") +
+               " /Contents 4 0 R /Resources <</Font <</H 5 0 R /S 6 0 R>>>>>>");
+        stream("/Filter /FlateDecode", deflated(Content().of(sheet, kPointsPerMm / unit)));
         object("<</Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding>>");
         object("<</Type /Font /Subtype /Type1 /BaseFont /Symbol>>");
         object("<</Title " + text_string(sheet.title) + " /Creator " +

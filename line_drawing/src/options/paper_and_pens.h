@@ -21,7 +21,7 @@ std::vector<double> usual_scales();
 /// √h in widths of inner lines: smaller kernels crowd lines, larger lose detail.
 constexpr double kKernelPens = 4;
 
-/// Finer by so many steps of √2; pens above 2 mm stay.
+/// Finer by so many steps of √2, down to .1 mm; pens above 2 mm stay.
 Pens finer(Pens pens, std::ptrdiff_t steps);
 
 /// Pens for a drawing whose largest view has this size on paper, mm: one or two steps finer if

@@ -38,7 +38,7 @@ std::vector<SheetOption> make_table() {
         file(),
         text(&S::views, "views", "Views",
              "With commas: front, back, left, right, top, bottom, six (all of these), vessel "
-             "(half section, half view), azimuth and elevation, as 30,15; in MeshLab window.",
+             "(half section, half view), azimuth and elevation, as 30,15; in MeshLab also window.",
              "VIEWS"),
         text(&S::scale, "scale", "Scale",
              "Drawn to true length, such as 1:2 or 2:1; fit: the largest usual one that fits "

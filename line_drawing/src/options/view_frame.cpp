@@ -66,7 +66,7 @@ private:
     ViewFrame read_frame() {
         const Vector3d viewer = read_vector().stableNormalized(), up = read_vector();
         const Vector3d right = up.cross(viewer).stableNormalized();
-        if (!(viewer.allFinite() && right.norm() > 0.5)) refuse_word(kToward);
+        if (!(up.stableNormalized().cross(viewer).norm() > 1e-9)) refuse_word(kToward);  // parallel
         ViewFrame frame = frame_of_axes("View", viewer, viewer.cross(right));
         if (next_ == words_.size() || lower(words_[next_]) != kFrom) return frame;
         ++next_;

@@ -250,14 +250,14 @@ std::string HalfSection::words() const {
            (axis_.lean ? ", axis off by " + in_decimals(*axis_.lean, 1) + "°" : "");
 }
 
-void HalfSection::draw(DrawnView& drawn, const std::vector<CuttableMesh>& all,
+void HalfSection::draw(DrawnView& drawn, const std::vector<CuttableMesh>& objects,
                        const Vector3d& middle, double unit) const {
     const int across = axis_along(behind_.normal);
     const Projection projection(drawn.frame, middle);
     const auto flat = [&](const Cut& cut) { return positions_of(project(cut, projection, unit)); };
     std::vector<Vector2d> points;
-    std::vector<CutObject> objects;
-    for (const CuttableMesh& object : all) {
+    std::vector<CutObject> cut_objects;
+    for (const CuttableMesh& object : objects) {
         CutObject parts;
         const std::vector<Cut> cuts = object.cut(across, axis_.point[across]);
         for (const Cut& cut : cuts) {
@@ -269,9 +269,9 @@ void HalfSection::draw(DrawnView& drawn, const std::vector<CuttableMesh>& all,
         drawn.lines = without_parts_in(WallArea(parts.wall), drawn.lines);
         for (const Cut& cut : clip(cuts, left()))
             parts.lines.push_back(project(cut, projection, unit));
-        objects.push_back(std::move(parts));
+        cut_objects.push_back(std::move(parts));
     }
-    add_walls(std::move(objects), drawn);
+    add_walls(std::move(cut_objects), drawn);
     if (points.empty()) return;
     const double height = drawn.bounds.sizes().y(), at = unit * right_.depth(middle);
     const Level rim = level_of(points, 1, kLevelShare * height),

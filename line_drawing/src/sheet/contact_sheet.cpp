@@ -106,9 +106,8 @@ SheetOptions contact_options(const laplacian_lines::TriangleMesh& mesh,
     result.sections.clear();
     result.paper = "fit";
     result.has_annotations = false;
-    const Eigen::Vector2d size =
-        Projection(result.views[0], Eigen::Vector3d::Zero()).bounds_of(mesh).sizes();
-    const double longest = options.mm_per_unit * size.maxCoeff();
+    const Projection projection(result.views[0], Eigen::Vector3d::Zero());
+    const double longest = options.mm_per_unit * projection.bounds_of(mesh).sizes().maxCoeff();
     result.title = size_text(options.mm_per_unit * bounds_of(mesh).sizes());
     result.scale = longest > 0 ? kViewSize / longest : 1;
     result.pens = finer(options.pens, 1);

@@ -97,7 +97,7 @@ SheetLayer view_names(const std::vector<DrawnView>& views, const SheetLayout& la
 double bar_length(double scale, double most) {
     double power = std::pow(10, std::floor(std::log10(most / scale) + 1e-9));
     for (const double first : {5., 2.})
-        if (first * power * scale <= most) return first * power;
+        if (first * power * scale <= most * (1 + 1e-9)) return first * power;
     return power;
 }
 

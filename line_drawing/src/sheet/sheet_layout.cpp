@@ -162,7 +162,9 @@ CellChoice choose_cells(const std::vector<DrawnView>& views, const SheetOptions&
 /// names may be wider than their views. If what follows from the proportion does not fit, the gaps
 /// and names alone are taken from the paper.
 double filling_scale(Layout& layout, const Vector2d& paper) {
-    constexpr double far = 1e4;  // from which on views are wider than their names
+    double far = 1e4;  // from which on views are wider than their names
+    while (far < 1e20 && layout.size_at(far).maxCoeff() < 1e4)
+        far *= 10;
     const Vector2d beyond = layout.size_at(far), growing = (layout.size_at(2 * far) - beyond) / far;
     const auto filling = [&](const Vector2d& fixed) {
         return (room_on(paper) - fixed).cwiseQuotient(growing).minCoeff();
@@ -174,8 +176,7 @@ double filling_scale(Layout& layout, const Vector2d& paper) {
 
 /// For views without scale: as large as the paper allows, A4 if it is not given.
 SheetLayout lay_out_filling(Layout& layout, const std::optional<Vector2d>& paper) {
-    const Vector2d upright = paper.value_or(*paper_size("a4"));
-    const Vector2d lying = upright.reverse();
+    const Vector2d upright = paper.value_or(*paper_size("a4")), lying = upright.reverse();
     const double a = filling_scale(layout, upright), b = filling_scale(layout, lying);
     if (!(std::max(a, b) > 0) || !std::isfinite(std::max(a, b)))
         refuse("Nothing of the object is in sight, or the paper has no room for so many views.");

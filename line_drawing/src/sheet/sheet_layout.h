@@ -16,8 +16,8 @@ struct SheetLayout {
 };
 
 /// Rows and columns around the front view, so that equal heights of the object line up; other
-/// directions in rows below. @throws laplacian_lines::Error(InvalidOption) if there is no such
-/// paper or the views do not fit
+/// directions below or at the end of its row. @throws laplacian_lines::Error(InvalidOption) if
+/// there is no such paper or the views do not fit
 SheetLayout lay_out(const std::vector<DrawnView>& views, const SheetOptions& options);
 
 }  // namespace line_drawing
