@@ -209,6 +209,19 @@ TEST(Stitching, TakesDoubledMeshesOnce) {
         EXPECT_NEAR(n.norm(), 1, 1e-5f);
 }
 
+/// Of a card, each of whose sides is cut along other diagonals, areas cancel but for rounding.
+TEST(VertexNormals, AreThoseOfAFaceWhereFacesCancel) {
+    TriangleMesh card = test_meshes::mapped(
+        test_meshes::plane(8), [](Eigen::Vector3d& p) { p.z() = 0.3 * p.x() + 0.7 * p.y(); });
+    for (Triangle t : std::vector<Triangle>(card.triangles)) {
+        for (std::uint32_t& v : t)
+            v = v / 9 * 9 + 8 - v % 9;  // mirrored
+        card.triangles.push_back(t);
+    }
+    for (const Eigen::Vector3f& n : precompute(card).normals)
+        EXPECT_NEAR(std::abs(n.dot(Eigen::Vector3f(-0.3f, -0.7f, 1).normalized())), 1, 1e-5f);
+}
+
 /// As files without data at some places have them.
 TEST(Stitching, PassesOverVerticesFarOff) {
     const TriangleMesh &whole = mesh_named("half_torus").mesh, cut = cut_apart(whole);

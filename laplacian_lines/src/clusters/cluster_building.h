@@ -39,8 +39,8 @@ void write_forms(FormGroup* groups, const Cluster& cluster, const VectorOf& vect
     }
 }
 
-/// Writes the clusters of a mesh into `data`, whose diagonal and is_rough are set. The number of
-/// threads does not matter.
+/// Writes the clusters of a mesh, and what it is as a whole, into `data`, whose diagonal and
+/// is_rough are set. The number of threads does not matter.
 void build_clusters(const PreparedMesh& mesh, const Field& field, const StageProgress& stage,
                     ExtractorData& data);
 

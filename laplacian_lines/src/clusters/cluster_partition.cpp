@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 #include "clusters/cluster_data.h"
 #include "system/large_array.h"
@@ -188,16 +189,15 @@ ClusterLinks link_clusters(const PreparedMesh& mesh, const CornerTable& sides,
     ClusterLinks links;
     links.across = large_array(sides.side_count(), ClusterLinks::kNobody);
     for (const ClusterRange& range : partition.ranges)
-        for (std::uint32_t place = 3 * range.begin; place < 3 * range.end; ++place) {
-            const std::uint32_t side = 3 * partition.order[place / 3] + place % 3;
+        for (std::uint32_t here = 3 * range.begin; here < 3 * range.end; ++here) {
+            const std::uint32_t side = 3 * partition.order[here / 3] + here % 3;
             if (!sides.has_neighbour(side)) continue;
-            const std::uint32_t across = sides.across(side),
-                                triangle = partition.places[across / 3];
-            if (triangle >= range.begin && triangle < range.end &&
+            const std::uint32_t across = sides.across(side), place = partition.places[across / 3];
+            if (place >= range.begin && place < range.end &&
                 have_one_orientation(mesh.triangles, side, across))
-                links.across[place] = triangle;  // a redraw goes on there; else at the number
-            else if (const std::uint32_t other = 3 * triangle + across % 3; place < other)
-                links.across[place] = links.across[other] =
+                links.across[here] = place;  // a redraw goes on there; else at the number
+            else if (const std::uint32_t other = 3 * place + across % 3; here < other)
+                links.across[here] = links.across[other] =
                     ClusterLinks::kNumber + links.number_count++;
         }
     return links;

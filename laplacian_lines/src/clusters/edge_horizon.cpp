@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All edges between two triangles, and the planes of all triangles: a redraw evaluates the planes,
-// and the edges between signs are the contour.
 #include "clusters/edge_horizon.h"
 
 namespace laplacian_lines {

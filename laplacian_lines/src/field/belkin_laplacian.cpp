@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kPi = EIGEN_PI;
 constexpr double kQuickAccuracy = 5e-4;  // from this relative error on, quick Gaussians will do
-// Share of the kernel's mass that is on the surface; less is only at the tip of a border's corner.
+// Share of the kernel's mass that is on the surface; less is at tips and on narrow strips.
 constexpr double kLeastKernelMass = 0.2;
 
 /// The share of the kernel's second moment, ∫ r² exp(−r²/4h), that is beyond k √h; u = k²/4.

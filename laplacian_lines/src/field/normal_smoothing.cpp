@@ -10,7 +10,7 @@ namespace laplacian_lines {
 namespace {
 
 constexpr double kCutoffInSigma = 3;
-constexpr double kLeastSigma = 1e-7;  // in D; no vertex has a nearer neighbour
+constexpr double kLeastSigma = 1e-7;  // in D; less than the sides of real meshes
 constexpr double kAccuracy = 1e-3;    // of a sum on the grid
 // Least cost of the direct sum over that of the grid, which also sums the Gaussian's tails and so
 // differs a little.

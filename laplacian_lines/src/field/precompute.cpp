@@ -46,7 +46,7 @@ struct LocalField {
     ShapeOperators shape_operators;
 };
 
-/// That in which options count, local units.
+/// The mean edge in which options count, local units.
 double edge_of_options(const PreparedMesh& mesh) {
     return mesh.known_edge > 0 ? mesh.known_edge : mesh.mean_edge;
 }
@@ -63,7 +63,7 @@ double smoothing_sigma(const PreparedMesh& mesh, const PrecomputeOptions& option
                      least_sigma(kernel_size, mesh.mean_edge), of_drawing});
 }
 
-/// Replaces normals by those that the mesh has.
+/// Replaces normals by those that the mesh has, on the side of the triangles.
 void take_normals(const TriangleMesh& mesh, const PreparedMesh& prepared,
                   std::vector<Eigen::Vector3d>& normals) {
     if (mesh.normals.empty()) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn instead of a mesh:
 //  1. Subdivisions at the middles of edges are undone. Others follow for scans alone.
-//  2. Vertices have the normals of precompute(), across cuts.
+//  2. Vertices have the mean normals of their triangles, across cuts.
 //  3. The middle of an edge is put on the cubic curve that leaves both ends normal to their
 //     normals; its normal is their sum, mirrored at the plane half way between the ends.
 //  4. Each triangle is cut in four at these middles, until edges are short, two cuts are made or

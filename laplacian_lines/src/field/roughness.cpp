@@ -10,8 +10,7 @@
 //
 // Limits are fitted: to twenty meshes of 5,000 to 870,000 triangles, clean, decimated, and with
 // noise of 10, 20 and 40 % of the edges; and to heads from marching cubes, from densities and from
-// labels (tests/meshes/generators.h), whose lines should be the same
-// (tests/core/roughness_test.cpp).
+// labels (tests/meshes/generators.h), whose lines should agree (tests/core/roughness_test.cpp).
 #include "field/field_steps.h"
 
 #include <algorithm>
@@ -37,7 +36,7 @@ constexpr double kLargestEdge = 0.025;
 constexpr double kSmooth = 0.01, kRough = 0.03;
 // Clean meshes have up to 1.07, terraces 1.54 to 3.06.
 constexpr double kLeastTerraces = 1.2, kClearTerraces = 1.5;
-// In units of pairs_cost(): a tenth of a second. Where it would take longer it is not measured.
+// As pairs_cost() has it, but ten times as slow here: a tenth of a second. More is not measured.
 constexpr double kLongest = 1e4;
 
 // ---- noise ----

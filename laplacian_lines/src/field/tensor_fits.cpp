@@ -19,8 +19,7 @@
 namespace laplacian_lines {
 namespace {
 
-// Largest radius for C, in mean edges: more is slower, not better. S̄'s is reduced by the same
-// factor.
+// Largest radius for C, in mean edges: more is slower, not better. S̄'s is less in proportion.
 constexpr double kMostDerivativeReach = 16;
 constexpr double kLargestEntry = 1e15;  // of S, 1/D; sums with squares of lengths stay floats
 // Least variance of the neighbours' positions in any direction, in squared radii; it is about 1/8

@@ -34,8 +34,8 @@ public:
     /// All outlive the object.
     TensorFits(const PreparedMesh& mesh, const SpatialTree& tree, const Field& field);
 
-    /// Calls take(v, fit), on any thread, for each vertex that has a fit within `reach` kernels;
-    /// for none if the sums would take too long.
+    /// Calls take(v, fit), on any thread, for each vertex that has a fit within `reach` kernels,
+    /// counted as 4.7 mean edges if they are larger; for none if the sums would take too long.
     void for_each(double reach, const StageProgress& stage,
                   const std::function<void(std::uint32_t v, const TensorFit& fit)>& take) const;
 

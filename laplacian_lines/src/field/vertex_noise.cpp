@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::size_t kMostSamples = 20000;
 constexpr double kLargestBump = 0.3;  // in mean edges of the vertex; more is an edge of the form
-// Lower quartile of the difference between bumps and those around them on a fine flat mesh whose
-// vertices are moved by 1 in random directions.
+// Lower quartile of the difference between bumps and those around them on a fine flat mesh, over
+// the length by which its vertices are moved in random directions.
 constexpr double kOfUnitNoise = 0.29;
 // Correlation of a bump with the mean of those around it. Forms have 0.5 to 0.9, strongly decimated
 // ones 0.3, noise of 20 % of the edges -0.2 to 0.1.

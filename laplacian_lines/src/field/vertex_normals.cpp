@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field/field_steps.h"
 
-#include <cmath>
-
 #include "system/large_array.h"
 
 namespace laplacian_lines {
 
 std::vector<Eigen::Vector3d> vertex_normals(const PreparedMesh& mesh, const VertexRanges& ranges,
                                             const StageProgress& stage) {
-    std::vector<Eigen::Vector3d> normals =
-        large_array<Eigen::Vector3d>(mesh.size(), Eigen::Vector3d::Zero());
+    auto normals = large_array<Eigen::Vector3d>(mesh.size(), Eigen::Vector3d::Zero());
     std::vector<std::uint32_t> any_triangle(mesh.size(), 0);
+    // Of the incident area; less is rounding where faces cancel, as on the two sides of a card.
+    constexpr double kLeastShare = 1e-4;
     ranges.for_each(stage, [&](const VertexRanges::Range& range) {
         range.prefetch(mesh.positions);
         range.for_each_triangle([&](const Triangle& t) {
@@ -24,8 +23,8 @@ std::vector<Eigen::Vector3d> vertex_normals(const PreparedMesh& mesh, const Vert
         });
         for (std::uint32_t v = range.begin(); v < range.end(); ++v) {
             double length = normals[v].norm();
-            if (!(length > 0 && std::isfinite(length))) {
-                // Faces that cancel (a doubled sheet) leave no mean; any incident one will do.
+            if (!(length > kLeastShare * 6 * mesh.masses[v])) {  // twice the incident area
+                // Faces that cancel leave no mean; any incident one will do.
                 normals[v] = area_vector(mesh, mesh.triangles[any_triangle[v]]);
                 length = normals[v].norm();
             }

@@ -22,12 +22,12 @@ struct LinePart {
     bool closed;
 };
 
-/// Which parts of a whole line are drawn, and how visibly: where the means of slope, gradient and
-/// concavity over 1.5 √h to both sides (2 where nothing convex cuts) are above their thresholds. So
-/// texture finer than the kernel, which flips signs from segment to segment, does not cut a clear
-/// line, and a line that joins another when the view turns stays as it was but for some √h. Pieces
-/// are up to some √h long; knots are where they meet, one more than pieces. Results are at knots,
-/// linear between them.
+/// Which parts of a whole line are drawn, and how visibly, by the means of slope, gradient and
+/// concavity over 1.5 √h to both sides (2 unless is_cut_by_convex()): fading is above the least
+/// slope, below the least gradient and around a concavity of 0. So texture finer than the kernel,
+/// which flips signs from segment to segment, does not cut a clear line, and a line that joins
+/// another when the view turns stays as it was but for some √h. Pieces are up to some √h long;
+/// knots are where they meet, one more than pieces. Results are at knots, linear between them.
 class LinePartFinder {
 public:
     /// For a closed line, the last knot is the first again.

@@ -10,7 +10,7 @@
 
 namespace laplacian_lines {
 
-/// A style's thresholds, with its detail applied. Nothing else reads the detail.
+/// A style's thresholds, with its detail applied. Only kernels of line_drawing read that as well.
 struct Thresholds {
     explicit Thresholds(const LineStyle& style);
 
@@ -49,7 +49,7 @@ inline float rise(float v, float from, float to) {
 
 /// Opacity of a point that would double a contour nearby: 1 from `clearance` on (D, in the
 /// picture), 0 up to half of it. To first order the contour is I/‖∇I‖ away, foreshortened by half
-/// the point's cosine. facing: I = n·l; gradient: ‖∇I‖·D.
+/// the point's cosine. facing: I = n·l; gradient: ‖∇I‖·D, not 0.
 inline float clearance_opacity(float facing, float gradient, float clearance) {
     if (!(clearance > 0)) return 1;
     const float distance = facing * std::abs(facing) / (2 * gradient);

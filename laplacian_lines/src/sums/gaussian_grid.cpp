@@ -51,7 +51,7 @@ double influence(double w, double sigma) {
 /// average over all places of the nodes, is the optimal influence function of R. W. Hockney and J.
 /// W. Eastwood, "Computer Simulation Using Particles", section 8-3, along one axis:
 ///     K(w) = G(w) U₃(w) U₄(w) / (Σ_m U₃(w + 2πm)² · Σ_m U₄(w + 2πm)²),
-/// with the Gaussian's transform G, whose own aliases vanish. Taps are its inverse transform.
+/// with the Gaussian's transform G, whose own aliases are small. Taps are its inverse transform.
 std::vector<double> spline_kernel(double sigma, int count) {
     std::vector<double> taps(std::size_t(count), 0);
     for (int f = 0; f < kFrequencies; ++f) {
@@ -68,8 +68,8 @@ int tap_count(double size, const GridResolution& resolution) {
     return int(std::ceil(resolution.cutoff * size + 0.5));
 }
 
-/// spline_kernel() as a row: taps[size / 2 + d] goes from node i to the value half a cell after
-/// node i − d. Zero-padded to whole blocks.
+/// spline_kernel() as a row, as GridConvolution takes it: the tap at d from the middle one goes
+/// from node i to the value half a cell after node i − d.
 std::vector<float> kernel_taps(double size, const GridResolution& resolution, int reach) {
     const int count = tap_count(size, resolution), middle = kBlock * reach + kBlock - 1;
     const std::vector<double> half = spline_kernel(std::sqrt(2.0) * size, count);

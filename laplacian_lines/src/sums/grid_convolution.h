@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "sums/grid_points.h"
@@ -56,7 +57,8 @@ constexpr int kMaxReach = 16;
 /// in the blocks that can be reached and that the targets need.
 class GridConvolution {
 public:
-    /// `targets`: the blocks wanted. `reach`: blocks that the taps reach to either side.
+    /// `targets`: the blocks wanted. `reach`: blocks that the taps reach to either side, at most
+    /// kMaxReach. `taps`: all of ConvolutionInput's, taps[0] in the middle.
     GridConvolution(const GridGeometry& grid, const std::vector<std::uint8_t>& targets, int reach,
                     std::vector<float> taps)
         : grid_(grid),

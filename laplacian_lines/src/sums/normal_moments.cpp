@@ -31,7 +31,7 @@ constexpr Powers powers_of(const char* factors) {
 }
 
 /// The axis of a factor beside which the others are a square: z of xxz; 3 if there is none, of xyz.
-/// A square is part of |n_q|², for which the linear term of w takes the place of 1.
+/// The squares add up to |n_q|², by which the linear term of w is multiplied.
 constexpr std::size_t axis_beside_square(const Powers& cubic) {
     for (std::size_t axis = 0; axis < 3; ++axis)
         if (cubic[(axis + 1) % 3] % 2 == 0 && cubic[(axis + 2) % 3] % 2 == 0) return axis;

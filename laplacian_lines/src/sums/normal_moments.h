@@ -15,7 +15,7 @@ void set_moments(double mass, const Eigen::Vector3d& normal, GridNode& node);
 struct ContractedMoments {
     double mass = 0;           ///< Σ m w
     Eigen::Vector3d normal;    ///< Σ m w n_q
-    Eigen::Vector3d gradient;  ///< of the mass, as the derivatives in PointSums
+    Eigen::Vector3d gradient;  ///< of the mass, per cell along the grid's axes
 };
 
 /// From the sums at p, whose normal is n. `facing`: w = facing_weight(n_q·n), else 1.

@@ -22,7 +22,7 @@ static inline Floats scaled(Floats y, Floats shifted) {
     return (Floats)((Ints)y + ((Ints)shifted << 23));
 }
 
-/// 2^x for x < 127, relative error 2e-7; tiny results become 2^-124 instead of 0.
+/// 2^x for x < 127, relative error 2.5e-7; tiny results become 2^-124 instead of 0.
 static inline Floats exp2_exactly(Floats x) {
     x = at_least(x, -124);
     const Floats shifted = x + kRound;
@@ -87,8 +87,7 @@ struct QuickTargets {
     Floats nx, ny, nz, constant_cosine;           ///< 1 + n_q·n_p is linear in n_q and 1
 };
 
-/// The exponent −(|q − p|² − c²)/4h is multiplied out; its sign says whether q is within the cutoff
-/// c.
+/// The exponent −(|q − p|² − c²)/4h is multiplied out; its sign says if q is within the cutoff c.
 static inline QuickTargets quick_targets(const GaussianTargets& t, std::size_t lane) {
     QuickTargets q;
     const Vector p = load_vectors(t.position, lane), n = load_vectors(t.normal, lane);

@@ -7,7 +7,7 @@ namespace laplacian_lines {
 
 constexpr std::size_t kTargets = 16;  ///< targets that are summed at once
 
-/// Positions are relative to the group's centre, normals to its mean: small numbers round less.
+/// Positions are relative to the centre of the targets' leaf, normals to its mean: less rounding.
 struct alignas(32) GaussianSource {
     float x, y, z;
     float mass;  ///< in GaussianTargets::unit_mass
@@ -36,7 +36,7 @@ struct GaussianLoops {
     /// Sums all sources for each target.
     void (*sum)(const GaussianTargets& targets, const GaussianSource* sources,
                 std::size_t source_count, GaussianLaneSums& sums);
-    /// With errors of kQuickError, for targets within kQuickRadius √h of the group's centre: up to
+    /// With errors of kQuickError, for targets within kQuickRadius √h of the leaf's centre: up to
     /// there, what quick_exp2() makes of exponents beyond its range can be masked out.
     void (*sum_quickly)(const GaussianTargets& targets, const GaussianSource* sources,
                         std::size_t source_count, GaussianLaneSums& sums);

@@ -12,10 +12,11 @@ namespace SIMD_SET {
 
 constexpr int kFirst = kMoments / int(kLanes), kCount = 2 * kFirst;  // vectors of a node
 
-template <class Float>
-static inline auto& get(Float* moments, int i) {
-    return reinterpret_cast<std::conditional_t<std::is_const_v<Float>, const Floats, Floats>*>(
-        moments)[i];
+static inline Floats& get(float* moments, int i) {
+    return reinterpret_cast<Floats*>(moments)[i];
+}
+static inline const Floats& get(const float* moments, int i) {
+    return reinterpret_cast<const Floats*>(moments)[i];
 }
 
 typedef double Places __attribute__((vector_size(32)));  // along x, y, z

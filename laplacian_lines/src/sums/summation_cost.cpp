@@ -47,7 +47,7 @@ GridResolution grid_resolution(double accuracy, double normal_turn) {
     resolution.cell = std::min(1.25, std::pow(accuracy * turn / 1.4e-3, 1 / 4.7));
     // The share of the second moment along an axis beyond the cutoff is at most .2 accuracies.
     resolution.cutoff = 6.3 - 0.85 * std::log10(accuracy / 1e-3);
-    // The terms of Δn are turn² of the summed masses, which carry a rounding error of 3e-7. Where
+    // The sum for Δn is turn² of that of masses, which carries a rounding error of 3e-7. Where
     // turn is about 0, no more than the default accuracy can be reached.
     resolution.is_exact = accuracy >= 1e-3 || accuracy * turn * turn >= 6e-7;
     return resolution;

@@ -26,7 +26,7 @@ struct SummationCosts {
 /// The cost of visiting all vertices within `radius` of each vertex.
 double pairs_cost(const SpatialTree& tree, double radius);
 
-/// @throws Error(TooCostly), whose sentence ends with the advice, if that is half a minute
+/// @throws Error(TooCostly), whose sentence ends with the advice, from half a minute on
 void refuse_costly_sum(double cost, const char* advice);
 
 /// The direct sum depends on the kernel's cutoff, the grid on the resolution.
