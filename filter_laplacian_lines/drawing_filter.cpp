@@ -66,7 +66,8 @@ QString free_name(const QString& name, const std::vector<line_drawing::SourceMes
             !line_drawing::is_of_other_meshes(file.readAll().toStdString(), meshes))
             return result;
         result = info.dir().filePath(
-            QString("%1_%2.%3").arg(info.completeBaseName()).arg(number).arg(info.suffix()));
+            QString("%1_%2.%3")
+                .arg(info.completeBaseName(), QString::number(number), info.suffix()));
     }
 }
 

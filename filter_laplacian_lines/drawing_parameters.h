@@ -11,8 +11,8 @@
 /// The user's choices; the filter has a part of line_drawing::sheet_option_table().
 using DrawingParameters = line_drawing::SheetChoices;
 
-/// The file lies beside the mesh's. With a window: its view, and the likely unit; without, the same
-/// for every mesh.
+/// The file lies beside the mesh's. With a window: its view, and the likely unit; without, these
+/// are the same for every mesh.
 DrawingParameters drawing_defaults(const MeshModel* mesh, bool has_window);
 
 void list_drawing_parameters(const DrawingParameters& defaults, RichParameterList& list);

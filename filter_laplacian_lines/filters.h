@@ -11,7 +11,7 @@ meshlab_host::Filter compute_filter();
 /// The lines of a mesh from one view, as a layer of polylines.
 meshlab_host::Filter polyline_filter();
 
-/// A measured drawing, as a file, of a layer as it stands in the world.
+/// A measured drawing, as a file, of a layer or all visible ones, as they stand in the world.
 meshlab_host::Filter drawing_filter();
 
 /// "1 vertex", "12 vertices"

@@ -2,8 +2,8 @@
 #include "polyline_parameters.h"
 
 #include <QColor>
+#include <vector>
 
-#include "laplacian_lines/error.h"
 #include "laplacian_lines/line_kind.h"
 #include "laplacian_lines/option_rows.h"
 #include "line_drawing/sheet_choices.h"

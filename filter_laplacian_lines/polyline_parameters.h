@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "laplacian_lines/line_style.h"
-#include "line_drawing/view_frame.h"
 #include "meshlab_host/current_view.h"
 #include "meshlab_host/drawn_style.h"
 #include "meshlab_host/meshlab_api.h"

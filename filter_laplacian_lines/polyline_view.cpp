@@ -13,7 +13,8 @@ using meshlab_host::CurrentView;
 namespace {
 
 QString numbers_text(const Eigen::Vector3d& v) {
-    return QString("%1 %2 %3").arg(v.x(), 0, 'g', 6).arg(v.y(), 0, 'g', 6).arg(v.z(), 0, 'g', 6);
+    const auto text = [](double x) { return QString::number(x, 'g', 9); };  // tell floats apart
+    return QString("%1 %2 %3").arg(text(v.x()), text(v.y()), text(v.z()));
 }
 
 /// y where possible, as in MeshLab's own views.

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "laplacian_lines/view.h"
+#include "line_drawing/view_frame.h"
 #include "meshlab_host/current_view.h"
 #include "meshlab_host/filter.h"
 #include "polyline_parameters.h"

@@ -102,8 +102,10 @@ std::optional<Eigen::Vector3d> direction_in_mesh(const Eigen::Vector3d& directio
 
 double SnapshotTiles::scale(const CameraMatrices& camera) {
     // Asked first: an inner tile can look like the first one of fewer.
+    const Eigen::Vector4d zoom = camera.projection.diagonal(),
+                          earlier = camera_.projection.diagonal();
     const bool is_next = scale_ > 1 && camera.modelview.isApprox(camera_.modelview, 1e-6) &&
-                         std::abs(camera.projection(1, 1) / camera_.projection(1, 1) - 1) < 1e-5;
+                         zoom.head<2>().isApprox(earlier.head<2>(), 1e-5);
     if (is_next) return scale_;
     const Eigen::Vector2d place = frustum_offset(camera.projection);
     if (!is_first_tile(place)) return 1;

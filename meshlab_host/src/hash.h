@@ -8,8 +8,8 @@
 
 namespace meshlab_host {
 
-/// A sum of 64-bit words, each mixed with its position, so that words are independent of each
-/// other. Not cryptographic, but sensitive to any changed bit of a mesh.
+/// A sum of 64-bit words, each mixed with its position, so that none has to wait for the one before
+/// it. Not cryptographic, but sensitive to any changed bit of a mesh.
 class Hash {
 public:
     explicit Hash(std::uint64_t seed) : place_(seed) {}

@@ -90,7 +90,7 @@ void refresh_window() {
 void show_as_lines(const MeshDocument& document, int mesh_id) {
     MLSceneGLSharedDataContext* scene = scene_of(document);
     if (!scene) return;
-    // A timer of the scene, so it dies with its document.
+    // A timer of the scene: if that is closed before, nothing happens.
     QTimer::singleShot(0, scene, [scene, mesh_id] {
         MeshModel* mesh = scene->meshDoc().getMesh(mesh_id);
         if (!mesh || mesh->cm.fn > 0 || mesh->cm.en == 0) return;

@@ -29,7 +29,7 @@ using Direction = std::array<double, 3>;
 
 template <class Options>
 nb::list rows_of(const std::vector<OptionRow<Options>>& table) {
-    constexpr const char* kinds[] = {"real", "length", "boolean", "choice"};
+    constexpr const char* kinds[] = {"real", "length", "boolean", "choice"};  // as OptionKind
     nb::list rows;
     for (const auto& row : table) {
         const bool is_limited = row.maximum != kUnlimited;

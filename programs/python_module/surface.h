@@ -51,7 +51,7 @@ private:
     const TriangleMesh mesh_;
     const PrecomputeOptions options_;
     Field field_;
-    bool may_be_refined_;
+    bool may_be_refined_;  ///< until tried; never without welding, which refined() does
     std::optional<TriangleMesh> finer_;
     std::optional<Field> finer_field_;
     std::unique_ptr<LineExtractor> extractor_;

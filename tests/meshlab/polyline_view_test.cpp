@@ -68,6 +68,7 @@ TEST(PolylineView, WarnsOfEyesWithinTheBoxOrCloseToIt) {
     EXPECT_TRUE(nearness_warning(frame_at({0, 0, 0}), kBox).contains("within the bounding box"));
     EXPECT_TRUE(nearness_warning(frame_at({0, 0, 1.2}), kBox).contains("sees only part"));
     EXPECT_TRUE(nearness_warning(frame_at({0, 0, 0}), Eigen::AlignedBox3d()).isEmpty());
+    EXPECT_TRUE(nearness_warning(frame_at({0.12345678, 0, 0}), kBox).contains(" 0.12345678 0 0 "));
 }
 
 TEST(PolylineView, ThatOfTheWindowHasItsUpwardDirection) {

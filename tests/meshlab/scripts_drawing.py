@@ -62,14 +62,14 @@ for name in ("a.ply", "a.stl.ply"):
     filter_script(EXAMPLE, {"file": "{folder}/{name}_1.svg", "title": "Find {name}"})
     expect(serve("-i", f"scans/{name}", "-s", "script.mlx") == 0, "places in names are refused")
     expect_text(f"scans/{name[:-4]}_1.svg", f">Find {name[:-4]}<")
-    for file in ("scans/same.svg", "scans/same.png"):
+    for file in ("scans/same.svg", "scans/same%1.png"):
         filter_script(EXAMPLE, {"file": file})
         for _ in range(2):
             expect(serve("-i", f"scans/{name}", "-s", "script.mlx") == 0, "the same name twice is refused")
 expect_text("scans/same.svg", ">[^<]*a\\.ply<")
 expect_text("scans/same_2.svg", ">[^<]*a\\.stl\\.ply<")
-expect(os.path.exists("scans/same_2.png"), "the drawing of another mesh is replaced")
-for file in ("scans/same_3.svg", "scans/same_3.png"):
+expect(os.path.exists("scans/same%1_2.png"), "the drawing of another mesh is replaced")
+for file in ("scans/same_3.svg", "scans/same%1_3.png"):
     expect(not os.path.exists(file), "a drawing of the same mesh is not replaced")
 
 # layers together

@@ -86,6 +86,10 @@ TEST_P(SnapshotTilesTest, AreNotThoseOfAnotherCamera) {
     CameraMatrices turned = tile(4, 2, 1);
     turned.modelview(0, 3) = 0.5;
     EXPECT_EQ(tiles_.scale(turned), 1);
+    CameraMatrices wider = tile(4, 0, 0);  // offsets are in half widths
+    wider.projection(0, 0) /= 2;
+    EXPECT_EQ(tiles_.scale(wider), 4);
+    EXPECT_EQ(tiles_.camera().projection(0, 0), wider.projection(0, 0));
 }
 
 INSTANTIATE_TEST_SUITE_P(Cameras, SnapshotTilesTest, testing::Bool(), [](const auto& test) {

@@ -23,7 +23,7 @@ struct DrawnStyle {
     KindColors colors = usual_kind_colors();
 };
 
-/// Stored as a property of the application, by parameter keys: nothing else is common to two
+/// Stored as a property of the application, numbers by their names: nothing else is common to two
 /// plugins in every version of MeshLab. GUI thread only.
 void note_drawn_style(const DrawnStyle& drawn);
 

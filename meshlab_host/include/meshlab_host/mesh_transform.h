@@ -16,8 +16,8 @@ namespace meshlab_host {
 /// @throws laplacian_lines::Error(InvalidOption) if the transformation is singular
 void apply_transform(const Eigen::Matrix4d& layer, laplacian_lines::TriangleMesh& mesh);
 
-/// Transforms a field and its lengths, but drops curvature derivatives, whose frames depend on the
-/// normal's coordinates.
+/// Transforms a field and its scale, but drops S̄ and C, whose frames depend on the normal's
+/// coordinates. The report stays that of the mesh as it was.
 void apply_transform(const Similarity& similarity, laplacian_lines::Field& field);
 
 /// Transforms a mesh and its field, if it has one. A field that the transformation stretches or
