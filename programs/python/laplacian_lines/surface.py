@@ -121,6 +121,7 @@ def _vector(values, name):
 
 
 def _unit(vector, name, advice="give another"):
+    vector = numpy.ldexp(vector, -numpy.frexp(abs(vector).max())[1])  # whose squares are numbers, too
     length = numpy.linalg.norm(vector)
     if length == 0:
         raise ValueError(f"{name} has no length: {advice}.")
