@@ -13,8 +13,7 @@ using meshlab_host::CurrentView;
 namespace {
 
 QString numbers_text(const Eigen::Vector3d& v) {
-    const auto text = [](double x) { return QString::number(x, 'g', 9); };  // tell floats apart
-    return QString("%1 %2 %3").arg(text(v.x()), text(v.y()), text(v.z()));
+    return QString("%1 %2 %3").arg(v.x(), 0, 'g', 9).arg(v.y(), 0, 'g', 9).arg(v.z(), 0, 'g', 9);
 }
 
 /// y where possible, as in MeshLab's own views.

@@ -40,8 +40,7 @@ class Lines(unittest.TestCase):
             page = ll.lines(torus(), direction=direction, up=up).plane  # from above and below, as drawings are
             numpy.testing.assert_allclose(page.up, numpy.array(upwards) / numpy.linalg.norm(upwards), atol=1e-12)
         self.assertNotEqual(lines.plane, seen.plane)
-        for size in (1e-200, 1e200):
-            self.assertTrue(same(ll.lines(torus(), direction=(0, -size, 0), up=(0, 0, 1)), lines))
+        self.assertTrue(same(ll.lines(torus(), direction=(0, -1e-200, 0), up=(0, 0, 1e200)), lines))
 
     def test_hidden_parts(self):
         side = dict(direction=(0, 1, 0.2), kinds="contours")
