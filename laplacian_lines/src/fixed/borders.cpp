@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Chains of edges where the surface ends, or several surfaces meet at an angle. Connected chains
 // are judged together, for a chain ends wherever another meets it, as ribs on a plate do.
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "fixed/fixed_lines.h"

@@ -14,7 +14,7 @@ struct CreaseEdge {
     static constexpr std::uint32_t kNone = 0xffffffffu;
     /// Noise: never shown. Facet: shown only by styles with an angle as small. Weak, strong: more
     /// than a quarter, or half, of the angle is unexplained. Unclear: strong, but a side is neither
-    /// flat nor evenly curved. Certain: of at least kEdgeAngle.
+    /// flat nor evenly curved. Certain: of at least kEdgeAngle. Those after Facet are creases.
     enum class Verdict : std::uint8_t { Noise, Facet, Unclear, Weak, Strong, Certain };
 
     std::uint32_t side;  ///< of Surface
@@ -48,7 +48,7 @@ CreaseEdges find_crease_edges(const ExtractorData& data, const Surface& surface)
 
 // The tests, in the order of crease_edges.cpp, which names them.
 
-/// Triangles that meet at less, in degrees, are parts of one flat face.
+/// Triangles that meet at less, in degrees, are parts of one flat face, as by kFlatCosine.
 constexpr float kFlat = 0.1f;
 
 /// Whether the surroundings confirm the edge: up to some twenty triangles on each side, within a

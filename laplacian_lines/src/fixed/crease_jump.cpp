@@ -64,13 +64,13 @@ struct Facet {
     float centre, end;  // along the path
     float turn;         // at its end, degrees: 0, or more if it turns as the tested edge
     bool is_flat;       // has several triangles, on the path or beside it
-    bool bends_back;    // one triangle, at another side of which the surface bends back
+    bool bends_back;    // the first: is one triangle; at another side the surface bends back
 };
 
 /// The facets on one side, up to an edge of the form, a border, or where the surface bends back.
 class FacetWalk {
 public:
-    /// `angle`: of the tested edge; angles are signed like it.
+    /// `angle`: by which the path turns at the tested edge; angles are signed like it.
     FacetWalk(const Surface& surface, std::uint32_t from, float lean, float angle)
         : walk_(surface, from, lean),
           sign_(angle > 0 ? 1.f : -1.f),

@@ -38,7 +38,7 @@ struct CreaseNet {
     /// Loose ends, and facets with exactly two sides among the edges.
     std::uint32_t faults = 0;
 
-    /// Rims of small holes are, which have no faults, but few edges or ragged ones of a scan not.
+    /// Short nets only if designed and without faults, as rims of holes; ragged ones of scans not.
     bool is_drawn(float shortest_line, const CreaseEdges& found) const {
         const bool is_ragged = found.is_scan && pieces < kPiecesOfAFault * faults;
         return !is_ragged &&

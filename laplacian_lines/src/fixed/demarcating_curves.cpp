@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kDirections = 36;    // that are tried; a cubic has at most three maxima
 constexpr float kClear = 0.9f;     // most of the second largest maximum over the largest
-constexpr float kMostStep = 0.1f;  // radians; a maximum is within .09 of the largest sample
+constexpr float kMostStep = 0.1f;  // radians, of three; few maxima are over .09 from a sample
 constexpr float kLeastAgreement = 0.7071f;  // cosine, of 45 degrees, between g at two corners
 constexpr float kLeastLength = 0.02f;       // D, of a curve and of its strong part
 constexpr float kShortestLines = 2;         // of a curve; noise makes longer zeros of derivatives

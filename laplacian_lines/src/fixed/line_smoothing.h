@@ -10,7 +10,7 @@ namespace laplacian_lines {
 /// What lies beyond an open end.
 enum class LineEnd {
     Repeated,   ///< the end again: values change evenly up to it
-    Reflected,  ///< what is before it, mirrored in the end, which stays where it is
+    Reflected,  ///< what is before it, mirrored in the end, which stays but for rounding
 };
 
 /// Passes of binomial smoothing (1-2-1) over `count` values, at least 2, get(i) each;

@@ -18,7 +18,7 @@ struct Crest {
 };
 constexpr Crest kConvexCrest{LineKind::Ridge, 1}, kConcaveCrest{LineKind::Valley, -1};
 
-/// Convex crest lines, sharp or not, whatever the view. With e₁ the direction of the largest
+/// Crest lines of a sort, sharp or not, whatever the view. With e₁ the direction of the largest
 /// curvature and t = tr S, they are the zeros of ∇t·e₁ at which ∇t falls along e₁; ∇t is the
 /// tangential part of Δn (Δn = −‖S‖² n + ∇t), so the heat kernel makes them as robust as Laplacian
 /// lines. Only where k₁ > 2|k₂| and k₁ ≥ 4/D, and only if long enough.

@@ -27,7 +27,7 @@ constexpr float kFading = 5;     // blunt edges are paler than sharp ones
 constexpr float kClearance = 4;  // a rounded edge has its contour near its crest
 
 /// Whether a piece passes within the distance of p, about in this direction, and not behind the
-/// wall that it is on: below p, along the unit normal there. A zero normal: whichever side.
+/// wall that p is on: below p, along the unit normal there. A zero normal: whichever side.
 bool is_along(const Vector3f& begin, const Vector3f& end, float distance, const Vector3f& p,
               const Vector3f& direction, const Vector3f& normal) {
     const Vector3f span = end - begin;

@@ -28,7 +28,7 @@ struct ZeroLines {
         float triangle;          ///< of the triangles there: the least of their longest sides,
         float height;            ///< and the largest of their least heights
     };
-    LineSet lines;                ///< opacity and weight are 1, gradients are not set
+    LineSet lines;                ///< opacity and weight are 1, gradients 0
     std::vector<Sample> samples;  ///< by point
 };
 
