@@ -175,7 +175,12 @@ TEST(Ridges, GoOnWhereTheyAreWeaker) {
 TEST(Ridges, AreOnlyWhereOneConvexCurvatureRules) {
     LineStyle style = only_ridges();
     style.ridge_angle = 10;
-    for (const TriangleMesh& mesh : {test_meshes::sphere(4).mesh, test_meshes::plane(24, 0.2),
+    // 2 % of D thick: 4 % of D are more than half a turn around it
+    const TriangleMesh ring = test_meshes::grid_mesh({540, 16, true, true}, [](double u, double v) {
+        const double a = 2 * M_PI * u, b = 2 * M_PI * v, r = 1 + 0.03 * std::cos(b);
+        return Eigen::Vector3d(r * std::cos(a), r * std::sin(a), 0.03 * std::sin(b));
+    });
+    for (const TriangleMesh& mesh : {ring, test_meshes::sphere(4).mesh, test_meshes::plane(24, 0.2),
                                      test_meshes::bumpy_sphere(5, 0.15).mesh}) {
         EXPECT_TRUE(ridges(mesh, style).lines.empty());
         EXPECT_TRUE(crests_from_above(mesh, LineKind::Valley).lines.empty());

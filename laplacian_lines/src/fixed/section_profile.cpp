@@ -10,7 +10,7 @@
 namespace laplacian_lines {
 namespace {
 
-constexpr std::size_t kMostSteps = 4096;  // of a section around a form smaller than its reach
+constexpr std::size_t kMostSteps = 4096;  // to one side, around and around a thin form
 
 /// A point of the surface and its normal, of any length.
 struct SurfacePoint {
@@ -94,9 +94,10 @@ void SectionProfile::measure(const Surface& surface, const Section& section, flo
         Eigen::Vector3f position = section.point;
         while (at[k] != kNoSide && std::abs(last.distance) < reach && places_.size() < most) {
             last.distance += sign_of_side * length_of(next[k].position - position);
-            last.angle = sign *
-                         arc_tangent(dot(next[k].normal, section.across), dot(next[k].normal, up)) *
-                         kDegrees;
+            const float angle =
+                sign * kDegrees *
+                arc_tangent(dot(next[k].normal, section.across), dot(next[k].normal, up));
+            last.angle = angle + 360 * std::round((last.angle - angle) / 360);
             position = next[k].position;
             places_.push_back(last);
             at[k] = beyond(surface, at[k]);

@@ -17,7 +17,7 @@ struct Section {
 
 /// How the surface turns along its section with a plane, to both sides of a point. Keeps its
 /// capacity. Distances are along the section, local; to the one side they are negative. Angles are
-/// those of the normal against the point's, degrees, and rise where the surface is convex.
+/// those of the normal against the point's, degrees, beyond 180 too; they rise where it is convex.
 class SectionProfile {
 public:
     /// Walks over the surface from triangle to triangle of one orientation, up to `reach` to both
