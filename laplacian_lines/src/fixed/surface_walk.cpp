@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kBoundary = 2;   // times the tested edge's angle
-constexpr float kAcross = 0.5f;  // least sine between a path and a boundary at which it ends
+constexpr float kBoundary = 2;        // times the tested edge's angle
+constexpr float kAcross = 0.5f;       // least sine between a path and a boundary at which it ends
 constexpr float kMostLean = 0.9999f;  // beyond it boundaries run along the side
 
 Vector3f direction_of(const Surface& surface, std::uint32_t side) {

@@ -5,9 +5,8 @@
 
 namespace laplacian_lines {
 
-/// From this angle on, degrees, edges are edges of the form whatever is around, see kSharpCosine:
-/// tessellators of curved faces stay below, with 0.6 radians (34 degrees) as the coarsest tolerance
-/// in use.
+/// From this angle on, degrees (see kSharpCosine), edges are the form's whatever is around:
+/// tessellators of curved faces stay below, with 0.6 radians (34 degrees) as the coarsest in use.
 constexpr float kEdgeAngle = 40;
 
 /// Between the normals at a side, degrees: positive where the surface is convex as the triangle
