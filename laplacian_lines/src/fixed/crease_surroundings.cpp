@@ -107,8 +107,8 @@ private:
         }
     }
 
-    /// The root mean square of the angles, degrees, less the share that bends to one side, which few
-    /// short edges cannot tell.
+    /// The root mean square of the angles, degrees, less the share that bends to one side, which
+    /// few short edges cannot tell.
     float roughness() const {
         if (!(sizes_ > 0)) return 0;
         const float size = std::sqrt(squares_ / float(edges_)) * kDegrees;

@@ -14,7 +14,7 @@
 namespace laplacian_lines {
 
 /// Joins unordered pieces to lines. Each piece goes from one node to another: a vertex of the mesh,
-/// a zero on an edge, or a place in a picture where visible pieces meet.
+/// a zero on an edge, or a place in a picture where visible pieces end.
 class PieceGraph {
 public:
     /// The number of the node with this key, and whether it is new: the next number.

@@ -18,7 +18,7 @@ using Sample = ZeroLines::Sample;
 // How the angle of an edge is measured:
 //  1. Walk over the surface across the line, every .3 % of D. T(d) is the angle by which the normal
 //     turns within the distance d on one side of the line.
-//  2. Average T over the sections within .75 % of D.
+//  2. Average T over the sections within .75 % of D, not across the start of a closed line.
 //  3. An edge does not turn beyond 2 % of D, a bump does: A = 2 T(2 %) - T(4 %) on either side.
 //  4. The clear part of the turn is A1 + A2 - 1.5 |A1 - A2|. From .3 of the turn on, all of it
 //     is the angle, below in proportion. Edges of details are measured likewise within 1 and 2 %
