@@ -33,7 +33,7 @@ using Eigen::Vector3d;
 
 // Relative to the coordinates: two to four units in the last place of a float.
 constexpr double kPrecision = 0x1p-22;
-// Of the diagonal: with coarser coordinates all vertices would count as one.
+// Of the diagonal, at most: small meshes far from the origin would become one vertex.
 constexpr double kWorstPrecision = 1e-3;
 constexpr double kCrackOfSide = 0.25;  // of the shortest at a vertex, so that none collapses
 

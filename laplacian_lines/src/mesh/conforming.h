@@ -13,7 +13,8 @@ namespace laplacian_lines {
 std::vector<Triangle> with_places(std::vector<Triangle> triangles,
                                   const std::vector<std::uint32_t>& by);
 
-/// Whether a vertex is within a distance of the segment between two others, but not of its ends.
+/// Whether a vertex is within a distance of the line between two others, and more than that along
+/// it from both.
 bool lies_between(const std::vector<Eigen::Vector3d>& positions, std::uint32_t vertex,
                   std::uint32_t from, std::uint32_t to, double within);
 

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Of .5°: half of what the facets of a cylinder of 360 turn by.
+// Of .51°: half of what the facets of a cylinder of 350 turn by.
 constexpr double kBentCosine = 0.99996;
 
 double angle_between(const Vector3d& a, const Vector3d& b) {

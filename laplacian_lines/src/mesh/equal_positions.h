@@ -37,7 +37,7 @@ inline std::vector<std::uint32_t> first_equal_positions(
     return first_equals(positions.size(), hash_of, [&](std::uint32_t a, std::uint32_t b) {
         const Eigen::Vector3d &p = positions[a], &q = positions[b];
         return rounded(p.x()) == rounded(q.x()) && rounded(p.y()) == rounded(q.y()) &&
-               rounded(p.z()) == rounded(q.z());
+               rounded(p.z()) == rounded(q.z()) && p.allFinite();
     });
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 // Limits were chosen on made faults, not fitted.
 
-/// Shares of the edges; scans in pieces of a few hundred triangles have 5 % borders.
+/// Shares of the edges; compact pieces of a hundred triangles have 15 % borders, of a thousand 5 %.
 constexpr double kMostBorders = 0.2, kMostOpposed = 0.02;
 /// Shares of the usable triangles that were turned: less is a few specks of a scan, more is nearly
 /// all.

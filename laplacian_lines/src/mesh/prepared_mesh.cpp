@@ -5,9 +5,10 @@
 //     across a crack, welded where they cut the surface open.
 //  3. Used vertices are kept, in coordinates around the bounding box's centre and in units of its
 //     diagonal D. Triangles that lose their area by rounding are dropped as well, and vertices
-//     welded that nobody sees apart: a fold as narrow would have an edge.
-//  4. Triangles folded over by a needle's width are unfolded, and all turned outwards.
-//  5. The mean edge is measured, and whether coordinates are so coarse that smooth surfaces bend.
+//     welded that nobody sees apart: a fold as narrow would be drawn as an edge.
+//  4. Triangles folded over by a needle's width are unfolded, and all oriented, if asked for.
+//  5. The mean edge is measured, what the mesh was made from, and whether coordinates are so coarse
+//     that smooth surfaces bend.
 #include "mesh/prepared_mesh.h"
 
 #include <Eigen/Geometry>
@@ -29,8 +30,8 @@ namespace laplacian_lines {
 namespace {
 
 constexpr std::uint32_t kUnused = 0xffffffffu;
-// Sine of the smallest angle of a triangle; far below what float input can resolve.
-constexpr double kLeastSine = 1e-12;
+// Height of a triangle, in its longest side; far below what float input can resolve.
+constexpr double kLeastHeight = 1e-12;
 // Diagonals for which D² and 1/D², floats in the field, stay far from overflow and underflow.
 constexpr double kLeastDiagonal = 1e-15, kLargestDiagonal = 1e15;
 
@@ -49,7 +50,7 @@ using Positions = std::vector<Eigen::Vector3d>;
 
 /// Also if a corner is not finite, or so far off that squares are not.
 bool is_degenerate(const Positions& positions, const Triangle& t) {
-    const double least = kLeastSine * longest_squared(positions, t);
+    const double least = kLeastHeight * longest_squared(positions, t);
     return !(area_vector(positions, t).squaredNorm() > least * least);
 }
 

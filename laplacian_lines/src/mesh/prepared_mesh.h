@@ -20,8 +20,8 @@ enum class Origin { Scan, Voxels, FineDesign, Design };
 constexpr double kDesignedKernel = 0.02;
 
 /// The usable part of a mesh in local coordinates x' = (x − centre)/D, without degenerate
-/// triangles, non-finite or unreferenced vertices. All computation is local, so the input's scale
-/// and offset do not matter.
+/// triangles, non-finite or unreferenced vertices. What follows is computed in these, so the
+/// input's scale and offset do not matter.
 struct PreparedMesh {
     std::vector<Eigen::Vector3d> positions;      ///< [N], local
     std::vector<Triangle> triangles;             ///< indices into positions

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The order in memory:
+// The order in memory, and what is summed in it:
 //  1. Vertices follow the tree.
 //  2. Triangles follow their smallest vertex.
 //  3. Each vertex gets its mass, a third of the area of the triangles around it.

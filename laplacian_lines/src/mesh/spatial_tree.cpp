@@ -204,8 +204,7 @@ private:
 
 SpatialTree::SpatialTree(const std::vector<Eigen::Vector3d>& points,
                          std::vector<std::uint32_t>& order) {
-    order.clear();
-    if (!points.empty()) Builder(points, *this, order).run();
+    Builder(points, *this, order).run();
 }
 
 }  // namespace laplacian_lines

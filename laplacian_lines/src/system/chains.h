@@ -35,8 +35,8 @@ void for_each_chain(std::uint32_t pieces, const Link& link, const Trace& trace) 
 }
 
 /// Calls use(begin, count) for the maximal runs of places at which is_in(place), 0 <= place <
-/// `places`, along a line. Of a closed one they may go on at its beginning, at i % places; all of
-/// it is (0, places).
+/// `places`, along a line. Of a closed one they may go on or begin at its beginning, as i >= places
+/// for place i % places; all of it is (0, places).
 template <class IsIn, class Use>
 void for_each_run(std::size_t places, bool is_closed, IsIn is_in, Use use) {
     std::size_t first = 0;  // a closed line is followed from where it is not in

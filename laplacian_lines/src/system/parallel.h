@@ -60,9 +60,9 @@ using SharedWork = std::function<void(unsigned worker, Blocks& blocks)>;
 
 void share_work(std::size_t blocks, unsigned workers, const SharedWork& work);
 
-/// Runs `work` in the calling thread and in idle threads of the pool, `workers` at most. Late ones
-/// get what is left: the caller only waits for blocks in progress. The first exception discards the
-/// blocks that are left and is rethrown. Work may share loops of its own. Thread-safe.
+/// Runs `work` in the calling thread and in idle threads of the pool, `workers` in all at most.
+/// Late ones get what is left: the caller only waits for blocks in progress. The first exception
+/// discards the blocks that are left and is rethrown. Work may share loops of its own. Thread-safe.
 template <class Work>
 void share(std::size_t blocks, unsigned workers, Work work) {
     share_work(blocks, workers, std::ref(work));
