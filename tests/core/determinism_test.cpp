@@ -189,8 +189,12 @@ TEST_F(Extraction, RunsInSeveralThreadsAtOnce) {
 }
 
 TEST_F(Extraction, AllocatesNothingInTheSteadyState) {
-    for (const LineStyle& style : {LineStyle(), helpers::all_crossings(), helpers::all_kinds()})
-        for (int threads : {1, 4}) {
+    LineStyle whole;  // with hairpins, which any thread may come to
+    whole.whole_lines = true;
+    whole.least_concavity = -1;
+    for (const LineStyle& style :
+         {LineStyle(), helpers::all_crossings(), helpers::all_kinds(), whole})
+        for (int threads : {1, style.whole_lines ? 1 : 4}) {
             const WithThreads scope(threads);
             ExtractionScratch scratch;
             LineSet lines;

@@ -80,13 +80,15 @@ TEST(Thresholds, LeastFacing) {
 
 TEST(Thresholds, PhantomsAreCrossingsWhereTheGradientIsSmallest) {
     LineStyle style = helpers::all_laplacian_lines();
-    style.reject_phantoms = true;
     Synthetic edge, phantom;
     phantom.gradient = 1;
-    EXPECT_TRUE(edge.is_drawn(style));
-    EXPECT_FALSE(phantom.is_drawn(style));
-    style.reject_phantoms = false;
-    EXPECT_TRUE(phantom.is_drawn(style));
+    for (const bool whole : {false, true})
+        for (const bool rejects : {true, false}) {
+            style.whole_lines = whole;
+            style.reject_phantoms = rejects;
+            EXPECT_TRUE(edge.is_drawn(style));
+            EXPECT_EQ(phantom.is_drawn(style), !rejects);
+        }
 }
 
 TEST(Weights, GrowFromZeroToOneOverTheFullSlope) {

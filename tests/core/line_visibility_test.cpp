@@ -267,7 +267,7 @@ TEST(LineVisibility, HidesTheMiddleOfALongSegment) {
     EXPECT_NEAR(from_near.points[1].position.x(), -0.75, 1e-4 * d);
 }
 
-TEST(LineVisibility, FarFromTheOrigin) {
+TEST(LineVisibility, FarFromTheOriginAndFarFromTheEye) {
     const Vector3d offset(4096.1, -2048.2, 8192.3);
     const LineParts balls =
         contours_of(moved(two_balls(), offset), View::perspective(offset + Vector3d(0, 0, 50)));
@@ -278,6 +278,9 @@ TEST(LineVisibility, FarFromTheOrigin) {
     const float length = total_length(near.parts(kAslant, style).seen);
     EXPECT_GT(length, 0);
     EXPECT_NEAR(total_length(far.parts(kAslant, style).seen), length, 0.07f * length);
+    for (const double distance : {1e7, 1e12, 1e20})
+        EXPECT_NEAR(total_length(near.parts({kAslant.eye, 1 / distance}, style).seen), length,
+                    1e-3);
 }
 
 TEST(LineVisibility, TellsInsideFromOutside) {

@@ -64,7 +64,7 @@ constexpr std::uint32_t kNoNode = 0xffffffffu;
 struct ViewLinePoint {
     Eigen::Vector3d position;         ///< mesh coordinates
     float weight, gradient, opacity;  ///< as of LinePoint
-    /// Points where lines meet in the picture have equal numbers; kNoNode elsewhere.
+    /// Points where lines meet in the picture have equal numbers; at kNoNode none meet.
     std::uint32_t node;
     /// On an edge of the form; other points may be smoothed.
     bool is_exact;

@@ -210,13 +210,13 @@ void pack(LineSet& lines) {
 }
 
 /// Puts what hairpins have cut in the places of the lines that were cut.
-void replace_cut_lines(const std::vector<FinishingThread>& threads, LineSet& set) {
+void replace_cut_lines(FinishingMemory& threads, LineSet& set) {
     std::vector<Polyline>& lines = set.lines;
-    std::vector<std::uint32_t> cut_lines;
-    std::vector<Polyline> parts;
-    for (const FinishingThread& thread : threads) {
-        cut_lines.insert(cut_lines.end(), thread.cut_lines.begin(), thread.cut_lines.end());
-        parts.insert(parts.end(), thread.cut_parts.begin(), thread.cut_parts.end());
+    std::vector<std::uint32_t>& cut_lines = threads[0].cut_lines;  // gets those of the others
+    std::vector<Polyline>& parts = threads[0].cut_parts;
+    for (auto other = threads.begin() + 1; other != threads.end(); ++other) {
+        cut_lines.insert(cut_lines.end(), other->cut_lines.begin(), other->cut_lines.end());
+        parts.insert(parts.end(), other->cut_parts.begin(), other->cut_parts.end());
     }
     if (cut_lines.empty()) return;
     std::sort(cut_lines.begin(), cut_lines.end());

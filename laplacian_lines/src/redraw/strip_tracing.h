@@ -42,15 +42,14 @@ struct PartMemory {
     LinePartFinder finder;
 };
 
-/// The rules on whole lines.
+/// The rules on the sums of a line; of LineRules::whole, on those of a part that is drawn.
 inline bool accepts(const LineRules& rules, const Polyline& line) {
     return line.length >= rules.least_length && line.strength >= rules.least_strength &&
            (!rules.use_slope || line.slope >= rules.line_slope);
 }
 
-/// Appends the lines that strips make, or by LineRules::whole their parts that are drawn, and that
-/// the rules on whole lines accept. Visits all strips.
-/// Source: Zhang, He, Xie, Chen, step 3 (tracing) and Eq. 4 (strength).
+/// Appends the lines that strips make, or by LineRules::whole their parts that are drawn, if
+/// accepts() holds. Visits all strips. Source: Zhang, He, Xie, Chen, step 3 and Eq. 4 (strength).
 void trace_lines(const LineRules& rules, std::vector<JoinedStrip>& strips, PartMemory& memory,
                  TracedLines& traced);
 

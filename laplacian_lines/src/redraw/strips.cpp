@@ -56,7 +56,7 @@ void find_chunk(const ClusterStore& store, std::size_t cluster_count, const Extr
         chunk.end[kind] = thread.output[kind].strip_count;
 }
 
-/// Gives each thread room for all that was found, of whichever part it finds next time, so that
+/// Gives each thread room for all that was found, since it may find any part of that next time:
 /// redraws allocate nothing.
 void even_out(const ExtractionTask& task, FoundStrips& found) {
     for (const StripPass& pass : kStripPasses)

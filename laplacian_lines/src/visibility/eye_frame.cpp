@@ -14,6 +14,7 @@ using Eigen::Vector3d;
 
 constexpr double kTurn = 3e-5;         // rad; any from 1e-7 to 1e-3 decides alike
 constexpr double kIrregular = 0.7316;  // rad; of an axis that is none of a mesh's symmetry
+constexpr double kFarthestEye = 1e8;   // D; farther off, rounding is more than perspective
 
 /// A direction or position, turned about the origin. The origin has no direction: an eye there is
 /// moved as far as one at the distance D would be.
@@ -27,10 +28,11 @@ Vector3d turned(const Vector3d& v) {
 
 }  // namespace
 
-EyeFrame::EyeFrame(const VisibilityMesh& mesh, const View& view, bool looks_away)
-    : has_perspective_(view.w != 0) {
-    const Vector3d eye = view.eye - view.w * mesh.centre;  // local, but for a scale
-    eye_ = turned(has_perspective_ ? Vector3d(eye / (view.w * mesh.size)) : eye.stableNormalized());
+EyeFrame::EyeFrame(const VisibilityMesh& mesh, const View& view, bool looks_away) {
+    Vector3d eye = view.eye - view.w * mesh.centre;  // local, but for a scale
+    if (view.w != 0) eye /= view.w * mesh.size;
+    has_perspective_ = view.w != 0 && eye.stableNorm() <= kFarthestEye;
+    eye_ = turned(has_perspective_ ? eye : eye.stableNormalized());
     back_ = eye_.stableNormalized();
     if (looks_away) back_ = -back_;
     right_ = back_.unitOrthogonal();

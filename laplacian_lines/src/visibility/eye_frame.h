@@ -15,7 +15,7 @@ namespace laplacian_lines {
 /// "Simulation of Simplicity", 1990, by one fixed step). Lines keep their places in space.
 class EyeFrame {
 public:
-    /// A perspective eye looks towards the centre of the mesh, or away from it.
+    /// A perspective eye, at most 1e8 D away, looks towards the centre of the mesh or away from it.
     EyeFrame(const VisibilityMesh& mesh, const View& view, bool looks_away = false);
 
     /// By how much the eye is turned, rad.

@@ -50,7 +50,7 @@ public:
     bool is_contour(std::uint32_t edge) const;
 
     /// Orientation of c to the line from a to b: 1 left of it, −1 right of it, either on it.
-    /// Exchanging a and b changes the sign.
+    /// Exchanging a and b, which are not the same, changes the sign.
     static int turn(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
     /// By how much z grows over a small local distance towards the eye, from this z on.

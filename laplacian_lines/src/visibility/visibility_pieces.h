@@ -30,7 +30,7 @@ struct VisibilityPiece {
     double shares[2];  ///< of the length of the segment, in the picture
     bool is_hidden;
     bool is_outline;  ///< visible, with nothing on one side
-    float gap;        ///< to the surface behind it, local; infinite if there is none
+    float gap;        ///< of seen edges to the surface behind, local; infinite if there is none
 };
 
 /// The pieces of all segments that are drawn, in order, decided by rays through their middles; only

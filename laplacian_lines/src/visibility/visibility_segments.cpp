@@ -26,8 +26,9 @@ public:
     EdgeClassifier(const Picture& picture, const CreaseMarks& creases)
         : picture_(picture), mesh_(picture.mesh()), creases_(creases), edge_on_(picture) {}
 
-    /// Fills in the segment. Returns whether the edge can be drawn or hide anything.
+    /// Fills in what the segment is. Returns whether the edge can be drawn or hide anything.
     bool classify(std::uint32_t edge, VisibilitySegment& segment) const {
+        segment.divides = true;
         const std::size_t count = mesh_.side_count(edge);
         const bool is_crease = !creases_.empty() && creases_[edge];
         if (count == 1) {
@@ -50,7 +51,7 @@ public:
     }
 
 private:
-    /// Slope of a triangle towards the eye, across an edge and away from it.
+    /// Slope of a triangle towards the eye, away from an edge and across it, times its length.
     double rise(std::uint32_t edge, const VisibilityMesh::Side& side) const {
         const Triangle& t = mesh_.triangles[side.triangle];
         const Vector3d &a = picture_.vertex(t[0]), &b = picture_.vertex(t[1]),
@@ -116,7 +117,6 @@ void append_edges(const CreaseMarks& creases, VisibilitySegments& all) {
     };
     const auto find = [&](std::uint32_t e, std::vector<VisibilitySegment>& found) {
         VisibilitySegment segment;
-        segment.divides = true;
         if (!classifier.classify(e, segment)) return;
         segment.edge = e;
         segment.points[0] = mesh.edges[e].vertices[0];

@@ -26,7 +26,7 @@ struct VisibilitySegment {
 
 /// Points are the mesh's vertices, then those of lines.
 struct VisibilitySegments {
-    /// A line on the surface; outlives this.
+    /// A line on the surface, of a set that outlives this.
     struct Line {
         const LineSet* set;
         const Polyline* line;

@@ -168,7 +168,7 @@ struct SegmentMemory {
 
 /// What apparent ridges have at the vertices of a batch, slot by slot.
 struct ApparentMemory {
-    alignas(64) float q[kBatchVertices];           ///< q1, 0 where there is no line
+    alignas(64) float q[kBatchVertices];           ///< q1, 0 at what faces away
     alignas(64) float vectors[kBatchVertices][4];  ///< r, and the derivative of q1 along it
     alignas(64) float crossing_q[CrossingMemory::kPlaces];
 };

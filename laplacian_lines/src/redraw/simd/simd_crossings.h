@@ -111,7 +111,7 @@ static inline void find_shares(const float* values, CrossingMemory& m, std::size
     for (std::size_t i = 0; i < count; i += kLanes) {
         const Floats below = absolute(load(m.below + i));
         const Floats sum = below + absolute(load(m.above + i));
-        const Floats share = below / sum;  // sum > 0: one side is negative
+        const Floats share = below / sum;  // sum > 0: one end is negative
         store(m.share + i, sum <= FLT_MAX ? share : Floats{} + 0.5f);
     }
 }

@@ -123,7 +123,7 @@ static inline void evaluate_forms(const FormGroup* forms, unsigned groups, const
                                   w * load(forms->numbers[3] + i));
 }
 
-/// How many of a cluster's values are below a bound, and which.
+/// Which of a cluster's values are below a bound, and whether any or all are.
 struct BelowBound {
     VertexBits bits{{0, 0}};
     bool any = false, all = false;

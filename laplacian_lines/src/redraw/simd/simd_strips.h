@@ -124,7 +124,7 @@ static inline void collect_corners(const Batch& batch, const ActiveTriangles& ac
 /// there (edge) or smallest (phantom). Refused segments get the slope −1.
 template <SegmentSlope Slope>
 static inline void test_segments(const LineRules& rules, SegmentMemory& s, std::size_t count) {
-    const float largest_product = rules.reject_phantoms ? 0 : FLT_MAX;
+    const float largest = rules.reject_phantoms ? 0 : FLT_MAX;
     for (std::size_t i = 0; i < count; i += kLanes) {
         const Vectors u = load_vectors(s.u, i), v = load_vectors(s.v, i), n = cross(u, v);
         // ∇f of the linear interpolant: (fu·(v × N) + fv·(N × u)) / |N|², N = u × v.
@@ -147,11 +147,11 @@ static inline void test_segments(const LineRules& rules, SegmentMemory& s, std::
         const Floats steepness = square_root(dot(f, f)) / squared;
         const Floats slope = steepness * rules.slope_scale;
         if (rules.whole) {  // nothing of a sliver's NaN
-            store(s.slope + i, slope >= 0 ? (product <= 0 ? slope : -slope) : Floats{});
+            store(s.slope + i, slope >= 0 ? (product <= largest ? slope : -slope) : Floats{});
             continue;
         }
-        // Not so for a sliver's NaN, too.
-        const Ints kept = (slope >= rules.segment_slope) & (product <= largest_product);
+        // Comparisons with a sliver's NaN are false.
+        const Ints kept = (slope >= rules.segment_slope) & (product <= largest);
         store(s.slope + i, kept ? slope : Floats{} - 1);
     }
 }
