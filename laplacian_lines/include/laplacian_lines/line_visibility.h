@@ -128,7 +128,7 @@ public:
                                         const VisibilityOptions& options,
                                         const Progress& progress = {}) const;
 
-    /// The same as sets, with the origin of the first of `lines`.
+    /// The same as sets, with the origin of the first of `lines`, or 0.
     LineParts parts(const View& view, const std::vector<LineSet>& lines,
                     const VisibilityOptions& options, const Progress& progress = {}) const;
 
