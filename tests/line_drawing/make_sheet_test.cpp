@@ -87,6 +87,14 @@ TEST(MeasuredDrawing, UnitsAndScalesMultiply) {
     EXPECT_NEAR(extent.width(), 50, 0.02);
 }
 
+TEST(MeasuredDrawing, KnowsTheKernelOfAGivenField) {
+    const auto mesh = test_meshes::bumpy_sphere(4).mesh;
+    const laplacian_lines::Field field = laplacian_lines::precompute(mesh);
+    const laplacian_lines::LineExtractor extractor(mesh, field);
+    const Objects objects = {{mesh, &field, {}, &extractor}};
+    EXPECT_EQ(make_sheets(objects, {plain_views("front")})[0].kernel, field.scale.kernel_size);
+}
+
 TEST(MeasuredDrawing, ALightTurnsWithTheView) {
     const auto mesh = test_meshes::bumpy_sphere(4).mesh;
     laplacian_lines::PrecomputeOptions gentle;

@@ -149,6 +149,12 @@ TEST(Perspective, StandsBesideViewsAtScale) {
         EXPECT_EQ(std::count(texts.begin(), texts.end(), name), 1) << name;
 }
 
+TEST(Perspective, MayBeFromTheVeryMiddleOfARing) {
+    SheetOptions options = plain_views("front", "a4");
+    options.views[0].eye = Vector3d(0, 0, 0);
+    EXPECT_NO_THROW(sheet_of(test_meshes::torus(60, 32).mesh, options));
+}
+
 TEST(Perspective, RefusesAnEyeThatSeesNothing) {
     EXPECT_THROW(sheet_of(cube_of100(), from_height(0)), laplacian_lines::Error);
     EXPECT_THROW(sheet_of(cube_of100(), from_height(-200)), laplacian_lines::Error);

@@ -21,8 +21,7 @@ struct HalfSpace {
 };
 
 /// The parts inside, cut on the plane. Closed lines inside stay closed; others, but for a Cut, are
-/// also cut where they begin. What else lines
-/// tell, such as their length, stays that of the whole line.
+/// also cut where they begin. What a line tells of its whole length, such as its strength, stays.
 laplacian_lines::LineSet clip(const laplacian_lines::LineSet& lines, const HalfSpace& inside);
 std::vector<laplacian_lines::ViewLine> clip(const std::vector<laplacian_lines::ViewLine>& lines,
                                             const HalfSpace& inside);

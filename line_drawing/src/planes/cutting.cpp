@@ -85,7 +85,7 @@ public:
     }
 
 private:
-    /// Whether a line must end there: of an odd number of pieces, all begin or all end.
+    /// Whether a line ends there: an odd number of pieces meet, all with their begin or their end.
     bool is_open(const Vector3d& place) const {
         const auto [first, last] = ends_.equal_range(place_of(place));
         return std::distance(first, last) % 2 == 1 &&

@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/triangle_mesh.h"
 
 namespace line_drawing {
@@ -12,7 +11,7 @@ namespace line_drawing {
 /// A line where a plane cuts a surface; a closed one repeats its first point.
 using Cut = std::vector<Eigen::Vector3d>;
 
-/// Cuts a mesh, which outlives this, by any number of planes.
+/// Cuts a mesh, which outlives this, by planes. @throws laplacian_lines::Error(InvalidMesh)
 class CuttableMesh {
 public:
     explicit CuttableMesh(const laplacian_lines::TriangleMesh& mesh)

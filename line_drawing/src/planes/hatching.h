@@ -8,8 +8,8 @@ namespace line_drawing {
 
 using Loops = std::vector<std::vector<Eigen::Vector2d>>;
 
-/// Where the line in the unit direction `direction`, `offset` to the left of the origin, enters and
-/// leaves the area that loops enclose (even-odd): coordinates along the line, ascending.
+/// Where the line in the unit direction `direction`, `offset` to the left of the origin (y up),
+/// enters and leaves the area that loops enclose (even-odd): coordinates along it, ascending.
 std::vector<double> crossings_at(const Loops& loops, const Eigen::Vector2d& direction,
                                  double offset);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "line_drawing/path.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace line_drawing {

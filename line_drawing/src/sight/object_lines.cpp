@@ -10,7 +10,6 @@
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/mesh_faults.h"
 #include "laplacian_lines/precompute.h"
-#include "line_drawing/object.h"
 #include "options/paper_and_pens.h"
 
 namespace line_drawing {
@@ -77,9 +76,10 @@ Field compute_field(const Object& object, PrecomputeOptions wanted, const SheetO
 }  // namespace
 
 ObjectLines::Extractor ObjectLines::given_extractor(const Object& object) {
-    const double kernel = object.extractor_kernel;
+    const double kernel = object.field ? object.field->scale.kernel_size : object.extractor_kernel,
+                 edge = object.field ? object.field->scale.mean_edge : 0;
     const std::shared_ptr<void> no_owner;
-    return {{no_owner, object.extractor}, kernel, kernel, object.field != nullptr};
+    return {{no_owner, object.extractor}, kernel, std::max(kernel, edge), object.field != nullptr};
 }
 
 std::size_t ObjectLines::bytes_of(const Extractors& kept) {

@@ -45,7 +45,7 @@ private:
     struct Extractor {
         std::shared_ptr<const laplacian_lines::LineExtractor> extractor;
         double kernel;  ///< √h, mesh units
-        double detail;  ///< that or the mean edge, the larger one
+        double detail;  ///< that or the mean edge, if known, the larger one
         bool is_given;  ///< from the object's own field
     };
     struct Extractors {

@@ -6,7 +6,7 @@
 
 #include "laplacian_lines/error.h"
 #include "line_drawing/words.h"
-#include "planes/cutting.h"
+#include "planes/clipping.h"
 #include "sections/half_section.h"
 #include "sections/section_marks.h"
 #include "sections/wall_area.h"
@@ -165,11 +165,12 @@ ViewBuilder::ViewBuilder(const Objects& objects)
       joined_(objects.size() == 1 ? TriangleMesh() : joined_mesh(objects)),
       surface_(objects.size() == 1 ? objects.front().mesh : joined_),
       box_(bounds_of(objects)) {
-    for (const laplacian_lines::Triangle& t : surface_.triangles)
-        for (const std::uint32_t v : t)
-            if (v >= surface_.positions.size())
-                throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidMesh,
-                                             "A triangle names a vertex that is not there.");
+    for (const Object& object : objects)  // in joined_ it could be a vertex of the next object
+        for (const laplacian_lines::Triangle& t : object.mesh.triangles)
+            for (const std::uint32_t v : t)
+                if (v >= object.mesh.positions.size())
+                    throw laplacian_lines::Error(laplacian_lines::ErrorCode::InvalidMesh,
+                                                 "A triangle names a vertex that is not there.");
 }
 
 void ViewBuilder::prepare_cuts() {

@@ -30,7 +30,7 @@ public:
     DrawnView section_view(const Section& section, const SheetOptions& options);
     /// The eye and the light.
     laplacian_lines::View view_of(const DrawnView& drawn, const SheetOptions& options) const;
-    /// Prepares visibility; call before add_lines(). @throws laplacian_lines::Error(Cancelled)
+    /// Prepares visibility, once before add_lines(). @throws laplacian_lines::Error(Cancelled)
     void prepare(const std::vector<SheetOptions>& sheets,
                  const laplacian_lines::Progress& progress);
     /// Adds the visible parts of mesh edges and of `lines`, those within faces by object.
@@ -38,7 +38,7 @@ public:
     void add_lines(DrawnView& drawn, const std::vector<laplacian_lines::LineSet>& lines,
                    const SheetOptions& options, const laplacian_lines::Progress& progress) const;
     /// Compares outlines with the pixels that the surface covers, `pixel` wide or more, and adds
-    /// missing lines. Returns their length. All in mm of the object.
+    /// missing lines, not in perspective or half sections. Returns their length. mm of the object.
     double check_outlines(DrawnView& drawn, const SheetOptions& options, double pixel) const;
     /// Mesh units.
     Eigen::Vector3d object_size() const { return box_.sizes(); }

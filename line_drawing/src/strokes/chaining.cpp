@@ -136,7 +136,7 @@ private:
         return all_.is_near(end.position, end.line, kSamePlace * pen_);
     }
 
-    /// Whether the nearest line is another than theirs anywhere on the way; it sees no others.
+    /// Whether another line is nearer than theirs anywhere on the way.
     bool is_crossed(const End& a, const End& b) const {
         constexpr int samples = int(kLongestGap) - 1;  // a pen apart at most
         for (int i = 1; i <= samples; ++i) {

@@ -15,7 +15,7 @@ using Eigen::Vector2d;
 constexpr double kShortestDouble = 4;  // reaches; where lines meet they are near for a while
 constexpr double kStepShare = 0.25;    // of the reach: between the places of a line looked at
 constexpr double kClosedGap = 1.5;  // reaches, .6 of an outline's pen: round ends hide most of it
-constexpr int kOverlap = 5;         // of these places, a little more than a reach
+constexpr int kOverlap = 5;         // places looked at, a little more than a reach
 // Short lines, of up to two shortest doubles, with this share beside others add nothing.
 constexpr double kMostBeside = 0.8;
 

@@ -71,7 +71,7 @@ std::optional<Gap> gap_at(const Vector2d& point, const Vector2d& way, const Draw
                goes_on(*on_right, right) || goes_on(*on_left, left)};
 }
 
-/// How far a gap extends from a place in it, up to `most`.
+/// How far a gap extends from a place in it, in steps of √h/2 until `most` is reached.
 double length_from(Vector2d point, Vector2d way, double width, double most, const DrawnLines& kept,
                    double pen) {
     const double step = kKernelPens * pen / 2;
@@ -125,7 +125,7 @@ void DrawnLines::add(const std::vector<Vector2d>& line, std::size_t number) {
     for (std::size_t i = 1; i < line.size(); ++i) {
         const Vector2d way = line[i] - line[i - 1];
         const double steps = std::ceil(way.norm() / reach_);
-        for (double s = 0; s < steps; ++s) {  // pieces so short that each is in one square
+        for (double s = 0; s < steps; ++s) {  // so short that the squares around find them
             const Piece piece = {line[i - 1] + way * (s / steps),
                                  line[i - 1] + way * ((s + 1) / steps), number};
             const Vector2d middle = (piece.begin + piece.end) / 2;

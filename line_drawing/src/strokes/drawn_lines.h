@@ -82,7 +82,7 @@ private:
     bool any_piece_near(const Eigen::Vector2d& point, double within, Test test) const;
 
     double reach_;
-    std::unordered_map<Cell, std::vector<Piece>> pieces_;  // in squares as wide as the reach
+    std::unordered_map<Cell, std::vector<Piece>> pieces_;  // by the square of their middle
 };
 
 /// On a sheet, whose y points down.

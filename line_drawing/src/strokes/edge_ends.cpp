@@ -96,7 +96,7 @@ private:
         return is_edge(lines_[i]) && length_of(lines_[i].points) > 2 * kBesideReach * reach_;
     }
 
-    /// A loose end of the line itself near a loose end of another: one piece then joins both.
+    /// A loose end of this line near `from`, that of another: one piece then joins both.
     std::optional<Vector2d> loose_end_near(std::size_t i, const Vector2d& from) const {
         for (const bool is_last : {false, true})
             if (is_loose_end(i, is_last) && (end(i, is_last) - from).norm() < kBesideReach * reach_)

@@ -15,8 +15,7 @@
 namespace line_drawing {
 namespace {
 
-// mm; the second one of what meets nothing, and of contours of curved surfaces, which the roughness
-// of a scan makes
+// mm; the second one of what meets nothing, and of contours of curved surfaces
 constexpr double kShortestLine = 0.8, kShortestAlone = 3 * kShortestLine;
 
 /// Without contours of curved surfaces before a jump of less than `least`; where these run along
@@ -128,7 +127,7 @@ void trim_end(const Nodes& nodes, double shortest, std::vector<DrawnPoint>& poin
     if (length_of(points, last) < shortest) points.resize(last + 1);
 }
 
-/// A loop that its stroke fills is a dot, which shows no form.
+/// A loop so small, which its stroke fills or the roughness of a scan makes, shows no form.
 bool is_dot(const DrawnLine& line, double shortest) {
     return box_of(line).sizes().maxCoeff() < shortest / 2 || length_of(line.points) < shortest;
 }

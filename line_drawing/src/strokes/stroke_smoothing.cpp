@@ -78,7 +78,7 @@ class EvenLine {
 public:
     EvenLine(const std::vector<DrawnPoint>& points, double step) : points_(points) {
         for (std::size_t i = 0; i < points.size(); ++i)
-            along_.push_back(i == 0 ? 0 : along_.back() + distance(points[i - 1], points[i]));
+            along_.push_back(i == 0 ? 0 : along_.back() + length_of(points, i - 1, i + 1));
         steps_ = std::size_t(std::ceil(along_.back() / step));
     }
 
@@ -113,10 +113,6 @@ public:
     }
 
 private:
-    static double distance(const DrawnPoint& a, const DrawnPoint& b) {
-        return (b.position - a.position).norm();
-    }
-
     DrawnPoint point_at(double length) const {
         const auto after = std::lower_bound(along_.begin(), along_.end(), length);
         const std::size_t i = std::min(std::size_t(after - along_.begin()), along_.size() - 1);

@@ -23,7 +23,7 @@ constexpr double kCoveredShare = 0.9;        // of the radius: edges of tapers a
 constexpr double kLeastRoundWidth = 0.1;     // mm; ends of thinner strokes are cut off
 constexpr double kPi = EIGEN_PI;
 
-// mm; as ISO 128 has it for this pen, nearly
+// mm; of the pen of hidden lines ISO 128 has 12 widths, 2.2 mm
 constexpr double kDash = 2, kShortestDashedLine = 3 * kDash;
 
 struct Spine {

@@ -14,7 +14,7 @@ namespace line_drawing {
 
 /// Removes specks: contours of curved surfaces less than an inner pen in front of what is behind
 /// them, small sets of connected lines without a loop, dots, and short ends that meet nothing.
-/// Outlines stay.
+/// Outlines stay. The kernel of the options is a length.
 std::vector<DrawnLine> without_specks(std::vector<DrawnLine> lines, const SheetOptions& options);
 
 /// Joins ends whose line was removed as a double to another line, by one of the short lines
@@ -39,12 +39,12 @@ void even_out_classes(std::vector<DrawnLine>& lines, double reach);
 /// joined as inner lines are, whichever way they turn, also to these, blending their widths.
 std::vector<DrawnLine> chain(std::vector<DrawnLine> lines, const Pens& pens, bool mixes_kinds);
 
-/// Leaves white between lines: strongest first, an inner line is dropped where it runs within three
-/// pens of another one, or within half a pen of an outline, contour or edge, but not where lines
-/// cross or meet. So are strokes that are shorter than six pens, faint, within a box of four pens
-/// or between even folds (is_between_folds()), and loops shorter than 24. Of edges side by side
-/// with less than half a pen between them, the first and the last stay, and as many between as have
-/// that white.
+/// Leaves white between lines: strongest first, an inner line is dropped where its middle is within
+/// three pens of that of another one, or less than half a pen is white beside an outline, contour
+/// or edge, but not where lines cross or meet. So are strokes shorter than six pens, faint, within
+/// a box of four pens or between even folds (is_between_folds()), and loops shorter than 24. Of
+/// edges side by side with less than half a pen between them, the first and the last stay, and as
+/// many between as have that white; contours of curved surfaces stay if half of them has it.
 std::vector<DrawnLine> thin_out(std::vector<DrawnLine> lines, const Pens& pens);
 
 /// Cuts off bent ends of inner lines, where a zero of the Laplacian runs around the end of a
@@ -79,7 +79,7 @@ void follow_met(const std::vector<MetEnd>& ends, double pen, std::vector<DrawnLi
 
 /// Smooths the triangles' edges out of contours of curved surfaces: between exact points lines bend
 /// as little as they can within `reach` of where they were, and lines that end at them follow.
-/// Afterwards all points of contours count as smoothed.
+/// Afterwards all points of outlines and contours count as smoothed.
 void smooth_contours(std::vector<DrawnLine>& lines, double reach);
 
 /// The same for the points of all lines that are neither exact nor smoothed yet.

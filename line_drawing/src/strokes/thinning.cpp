@@ -15,8 +15,7 @@ using Eigen::Vector2d;
 // in pens of inner lines
 constexpr double kBetweenLines = 3;  // from middle to middle: two pens of white, as in ISO 128
 constexpr double kLeastWhite = 0.5;  // beside outlines
-// More than that, which a part of a line needs at one place: what runs along an outline all the way
-// is left out whole, not only where it happens to be nearer.
+// A part of a line needs so much more at one place: what runs along an outline all the way goes.
 constexpr double kClearWhite = 1;
 constexpr double kLeastApart = 0.5;  // of a line, with white beside stronger ones
 constexpr double kLowStep = 4;       // in depth: what is behind it is of the same form

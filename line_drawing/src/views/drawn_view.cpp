@@ -45,6 +45,7 @@ Projection::Projection(const ViewFrame& frame, const Vector3d& middle)
     if (!frame.eye) return;
     const Vector3d ray = middle - origin_;
     distance_ = depth(middle) > 0 ? depth(middle) : ray.norm();
+    if (distance_ == 0) distance_ = 1;
     if (depth(middle) > 0) middle_ = {frame.right.dot(ray), frame.up.dot(ray)};
 }
 

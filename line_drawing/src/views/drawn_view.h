@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@
 namespace line_drawing {
 
 /// From mesh coordinates to a picture, x right, y up, with `middle` at (0, 0), where perspective
-/// has the scale 1. If that is behind the eye, the point as far before it is.
+/// has the scale 1. If that is behind the eye, the point as far before it; at the eye, 1 before it.
 class Projection {
 public:
     /// The frame outlives this.
@@ -55,7 +56,7 @@ struct DrawnPoint {
     double weight = 1;  ///< 0..1, share of the full width
     /// Equal where lines meet.
     std::uint32_t node = laplacian_lines::kNoNode;
-    bool is_exact = true;  ///< on an edge of the form or where lines meet; others may be smoothed
+    bool is_exact = true;      ///< on an edge of the form, a cut or a join; others may be smoothed
     bool is_smoothed = false;  ///< has been smoothed
     LineOrigin origin = {};
 
