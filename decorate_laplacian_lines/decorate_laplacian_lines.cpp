@@ -149,8 +149,10 @@ void DecorateLaplacianLines::draw(MeshModel& mesh, const RichParameterList& para
     try {
         const bool needs_derivatives = valid.chosen.style.shows.needs_derivatives();
         PreparedLinesPointer lines = current_lines(mesh, view, painter);
-        if (!lines || (needs_derivatives && is_without_derivatives(*lines)))
+        if (!lines || (needs_derivatives && is_without_derivatives(*lines))) {
             lines = find_or_prepare_lines(mesh, view, needs_derivatives);
+            clock = RedrawClock();  // that has clocks of its own
+        }
         if (lines->failure.isEmpty())
             text = draw_lines(mesh, *lines, valid.chosen, view, painter, clock);
         complaints << lines->failure << (needs_derivatives ? lines->missing_reason : QString());
@@ -309,11 +311,11 @@ std::optional<PrintedView> DecorateLaplacianLines::printed_view(const MeshModel&
         projection = tiles_.camera().projection;
         projection.topRows<2>() /= tiles;
     }
-    const double pen =
+    const double pen_mm =
         line_drawing::SheetOptions().pens[std::size_t(line_drawing::LineClass::Inner)];
     const Eigen::Matrix4d to_eye = layer.modelview * scene->to_world();
     auto window = window_of(to_eye, projection, tiles * viewport_size(),
-                            chosen.line_width * layer.placement.pixel_scale / pen);
+                            chosen.line_width * layer.placement.pixel_scale / pen_mm);
     if (!window) return std::nullopt;
     return PrintedView{scene, to_eye, projection, *window, chosen};
 }

@@ -47,15 +47,15 @@ private:
     void keep(const MeshModel& mesh, const PreparedLinesPointer& lines);
 
     /// Draws the layer's lines, or the printed drawing of all layers. Returns text for the view, if
-    /// any. `tiles` in these functions: in a row of the picture of which this redraw draws one.
-    /// @throws std::exception with the reason why lines cannot be drawn
+    /// any. @throws std::exception with the reason why lines cannot be drawn
     QString draw_lines(const MeshModel& mesh, PreparedLines& lines,
                        const DecorationParameters& chosen, GLArea* view, QPainter* painter,
                        line_renderer::RedrawClock& clock);
     QString draw_live_lines(PreparedLines& lines, const laplacian_lines::View& eye,
                             const LayerInView& layer, const DecorationParameters& chosen,
                             line_renderer::RedrawClock& clock);
-    /// To be called once a redraw for each layer, since it marks the redraw.
+    /// To be called once a redraw for each layer, since it marks the redraw. `tiles`, here and
+    /// below: in a row of the picture of which this redraw draws one.
     LayerInView layer_in_view(const MeshModel& mesh, const PreparedLines& lines,
                               const meshlab_host::CameraMatrices& camera, int tiles, GLArea* view,
                               QPainter* painter) const;

@@ -7,8 +7,8 @@
 #include <QTimer>
 #include <optional>
 
-/// Counts presses and releases of keys and buttons anywhere in the program. Between two of them a
-/// user either turns the camera or edits. GUI thread only.
+/// Its value changes with each press and release of a key or button anywhere in the program.
+/// Between two of them a user either turns the camera or edits. GUI thread only.
 class PressCount : public QObject {
 public:
     PressCount();

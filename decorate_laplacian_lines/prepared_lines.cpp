@@ -16,7 +16,7 @@ using laplacian_lines::TriangleMesh;
 
 namespace {
 
-/// Memory of a scene once it has been printed, over that of the extractor.
+/// Memory of a scene once it has been printed, in that of the extractor.
 constexpr std::size_t kSceneShare = 4;
 
 class WaitCursor {
@@ -63,6 +63,7 @@ PreparedLinesPointer prepare_lines(const CMeshO& mesh, const QString& mesh_name,
                 source.options, result->extractor, kernel});
         result->bytes = bytes_of(*result);
     } catch (const std::bad_alloc&) {
+        result->extractor.reset();  // it may have been made before
         result->failure = "There is not enough memory for the lines of this mesh.";
         result->is_out_of_memory = true;
     } catch (const std::exception& error) {
@@ -80,16 +81,16 @@ void add_derivatives(PreparedLines& lines, const CMeshO& mesh, const QString& me
     try {
         const WaitCursor wait_cursor;
         const TriangleMesh triangles = meshlab_host::to_drawn_mesh(mesh);
-        std::optional<Field> field = std::exchange(lines.field, std::nullopt);
-        if (field)
-            meshlab_host::ensure_derivatives(triangles, *field);
+        Field found;
+        if (lines.field)
+            meshlab_host::ensure_derivatives(triangles, *lines.field);
         else
-            field = meshlab_host::find_or_compute_field(
+            found = meshlab_host::find_or_compute_field(
                 mesh, triangles, mesh_name, meshlab_host::with_derivatives(source), say);
-        lines.extractor->add_derivatives(triangles, *field);
+        lines.extractor->add_derivatives(triangles, lines.field ? *lines.field : found);
+        lines.field.reset();
         lines.has_derivatives = true;
         lines.missing_reason.clear();
-        lines.bytes = bytes_of(lines);
         say(QString("Laplacian Lines: %1: computed in %2 s what the chosen kinds of lines also "
                     "need")
                 .arg(mesh_name)
@@ -99,4 +100,5 @@ void add_derivatives(PreparedLines& lines, const CMeshO& mesh, const QString& me
     } catch (const std::exception& error) {
         lines.missing_reason = QString::fromUtf8(error.what());
     }
+    lines.bytes = bytes_of(lines);
 }

@@ -46,7 +46,7 @@ private:
                                         const DecorationParameters& chosen);
     line_renderer::DepthTexture depths(ViewLayers::View view);
     void paint(const std::vector<line_renderer::SurfaceLayer>& layers, SurfaceLook look,
-               const Eigen::Matrix4d& modelview, const line_renderer::DepthTexture& depths);
+               const Eigen::Matrix4d& modelview, const line_renderer::DepthTexture& known);
 
     ViewLayers layers_;
     line_renderer::SurfaceBuffers buffers_;

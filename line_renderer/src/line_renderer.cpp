@@ -21,7 +21,7 @@ namespace line_renderer {
 namespace {
 
 /// A line is visible if the surface is behind it there or so many pixels to either side: less than
-/// half an outline's width, which hides the parts below it.
+/// half an outline's usual width, which hides the parts below it.
 constexpr double kToSide = 1.5;
 
 /// Of a square, in its sides.

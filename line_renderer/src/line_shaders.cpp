@@ -54,13 +54,13 @@ varying vec2 ends;
 varying vec4 ink;
 varying vec4 middle;  // direction on the screen, depths in 0..1 at the start and at the end
 
-// Marks of line_stream.h. Radii below nothing_here are kNeighbourOnly, of points with a position.
-const float nothing_here = -1.5;
+// Marks of line_stream.h: kNeighbourOnly, of points with a position, is below, kNothingHere above.
+const float between_marks = -1.5;
 const float edge_mark = 0.25;
 const float away_mark = 0.4;
 // Of what follows edges, pixels: to the side as far as a pixel's centre may be beyond the edge; and
-// the greatest move to the eye, the rise over to_side of a surface that leans by 70 degrees, such as
-// the ground.
+// the greatest move to the eye, the rise over 1.5 pixels of a surface that leans by 70 degrees,
+// such as the ground.
 const float edge_side = 0.7072;
 const float edge_move = 4.0;
 
@@ -126,7 +126,7 @@ float radius_at(vec2 screen, vec2 across, float radius, float share_within)
 // there, if there is one, ends at `other` and goes by `onwards` on the screen.
 vec2 cut_at(vec4 neighbour, vec4 other, float end_before, vec2 direction, vec2 onwards)
 {
-    bool is_there = neighbour.w >= 0.0 || neighbour.w < nothing_here;
+    bool is_there = neighbour.w >= 0.0 || neighbour.w < between_marks;
     if (!is_there || end_before <= 0.0 || before_near_plane(other) <= 0.0)
         return vec2(0.0);
     float size = length(onwards);

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -38,7 +37,8 @@ struct StreamPoint {
     float along;  ///< pixels along the line from its start; 0 unless they were asked for
 };
 
-/// Marks in place of a radius. Segments with a marked end are not drawn.
+/// Marks in place of a radius. Segments with a marked end are not drawn. line_shaders.cpp has
+/// copies of these and of the next two.
 constexpr float kNothingHere = -1;    ///< before and after a line: its ends are round
 constexpr float kNeighbourOnly = -2;  ///< around a closed line: a point to join to
 

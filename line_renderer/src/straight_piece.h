@@ -32,7 +32,7 @@ public:
 
     void begin(const SeenPoint& start);
     /// Adds the point if a segment to it can replace all points since begin(), and returns whether.
-    /// Always true for the first point, never after one behind the eye.
+    /// Always true for the first point, else never with one behind the near plane among them.
     bool try_extend(const SeenPoint& point);
 
 private:

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "gl_state.h"
-#include "line_stream.h"
+#include "laplacian_lines/view.h"
 #include "per_share_group.h"
 #include "shader_program.h"
 
@@ -144,9 +144,9 @@ void SurfaceRenderer::paint(const SurfaceLayer& layer, SurfaceStyle style,
     program.set("is_toon", style == SurfaceStyle::Toon);
     const SurfacePointer surface = layer.surface.lock();
     const double least = std::max(kLeastMove * layer.diagonal, surface ? surface->most_behind : 0.);
-    program.set("nearer",
-                Eigen::Vector2f(float(least * mean_scale(to_eye)),
-                                float(kGreatestMove * layer.diagonal * mean_scale(to_eye))));
+    const double greatest = std::max(kGreatestMove * layer.diagonal, least);  // clamp() needs it
+    const double scale = laplacian_lines::mean_scale(to_eye);
+    program.set("nearer", Eigen::Vector2f(float(least * scale), float(greatest * scale)));
     const bool is_needed = !depth.is_complete;
     glBindTexture(GL_TEXTURE_2D, is_needed ? depth.id : 0);
     program.set("surface_depth", 0);

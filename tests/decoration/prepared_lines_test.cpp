@@ -66,7 +66,9 @@ TEST_F(PreparedLinesTest, StayAsTheyAreWithoutDerivatives) {
     EXPECT_NE(lines->missing_reason, "");
     EXPECT_EQ(lines->failure, "");
     EXPECT_EQ(lines_of(*lines).points.size(), points);
+    said_.clear();
     add_derivatives(*lines, mesh_, "sheet", source, say());
+    EXPECT_EQ(said_.filter("default options").size(), 0) << "the field is still there";
     EXPECT_TRUE(lines->has_derivatives);
     EXPECT_EQ(lines->missing_reason, "");
 }

@@ -12,6 +12,7 @@ namespace {
 TEST(RedrawMark, IsTheFirstCallWithAPainter) {
     QImage image(8, 8, QImage::Format_RGB32);
     for (int redraw = 0; redraw < 3; ++redraw) {
+        EXPECT_TRUE(begins_redraw(nullptr));
         QPainter painter(&image);
         EXPECT_TRUE(begins_redraw(&painter));
         painter.setPen(Qt::red);

@@ -23,8 +23,8 @@ struct LinePlacement {
     double diagonal = 1;         ///< of the mesh, mesh units
     double depth_bias_edge = 0;  ///< as laplacian_lines::depth_bias_edge() has it, mesh units
     double pixel_scale = 1;      ///< pixels of the viewport per pixel of the appearance
-    double mark_pixels = 0;      ///< diameter of points or wires drawn on the surface
-    DepthTexture depths{};       ///< of the surfaces that hide lines
+    double mark_pixels = 0;      ///< diameter of points or wires on the surface, as in the viewport
+    DepthTexture depths{};       ///< of the surfaces that hide lines; without, nothing is seen
     /// For tiles of one picture: mesh coordinates to clip coordinates common to all tiles, up to a
     /// shift in the plane, so that all tiles drop the same points.
     std::optional<Eigen::Matrix4d> picture_to_clip{};
@@ -40,9 +40,9 @@ public:
     LineRenderer();
     ~LineRenderer();
 
-    /// Uploads the points that can be seen, for drawing with the same appearance and placement.
-    /// Does not allocate unless sets grow. @throws std::runtime_error if OpenGL cannot draw them;
-    /// then draw() draws nothing
+    /// Uploads lines, without points that make no visible difference, for drawing with the same
+    /// appearance and placement. Does not allocate unless sets grow.
+    /// @throws std::runtime_error if OpenGL cannot draw them; then draw() draws nothing
     void upload(const laplacian_lines::LineSet& lines, const LineAppearance& appearance,
                 const LinePlacement& placement);
     /// Draws the last upload into the current viewport. `clock` counts the draw calls as drawing.

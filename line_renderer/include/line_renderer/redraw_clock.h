@@ -13,7 +13,7 @@ public:
         Extraction,
         Upload,
         DrawCalls,  ///< preparing them, and all that is not one of the others
-        /// By OpenGL: its first call, where a software renderer does half the work, and glFinish().
+        /// By OpenGL: the calls, in which a software renderer does half the work, and glFinish().
         Drawing,
         kPartCount
     };

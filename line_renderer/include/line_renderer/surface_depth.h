@@ -33,8 +33,9 @@ public:
     DepthTexture copy();
 
     /// Renders the nearest faces of all layers in the current viewport, for when the depth buffer
-    /// has points and wires, which stand out, or lacks faces. Needs the camera's matrices current.
-    /// Redraws only after changes. @throws std::runtime_error if OpenGL cannot do it
+    /// is not readable, lacks faces, or has points or wires, which stand out. Needs the camera's
+    /// matrices current. Redraws only after changes.
+    /// @throws std::runtime_error if OpenGL cannot do it
     DepthTexture update(const std::vector<SurfaceLayer>& layers, SurfaceBuffers& buffers);
 
 private:
