@@ -93,8 +93,7 @@ void add_derivatives(PreparedLines& lines, const CMeshO& mesh, const QString& me
         lines.missing_reason.clear();
         say(QString("Laplacian Lines: %1: computed in %2 s what the chosen kinds of lines also "
                     "need")
-                .arg(mesh_name)
-                .arg(1e-3 * double(clock.elapsed()), 0, 'f', 2));
+                .arg(mesh_name, QString::number(1e-3 * double(clock.elapsed()), 'f', 2)));
     } catch (const std::bad_alloc&) {
         lines.missing_reason = "There is not enough memory for some of the chosen kinds of lines.";
     } catch (const std::exception& error) {
