@@ -12,7 +12,7 @@ from product.models import prepare_mesh
 
 MINUTES = 15  # more than a mesh of ten million triangles takes to load and prepare
 LIMIT = f"time-limit {MINUTES * 60}"
-STILL = 120  # seconds without progress, after which a reader of MeshLab's does not end
+STILL = 120  # seconds without progress after which a reader of MeshLab's is taken to hang
 DRIVER_ERROR = 3  # the exit code of MeshLab when the driver ends it
 
 
@@ -36,19 +36,19 @@ def loadable_mesh(name, folder):
 
 def settings_commands(build, settings):
     """The driver's commands for parameters of the decoration, NAME=VALUE, from a program built on the decoration's
-    table."""
+    table; or, after --kinds, a line per kind: its label, a tab, commands."""
     done = subprocess.run([build / "bin/decoration_settings", *settings], capture_output=True)
     if done.returncode != 0:
         raise Failure(os.fsdecode(done.stderr).rstrip("\n"))
     return os.fsdecode(done.stdout).splitlines()
 
 
-def run_meshlab(stage, folder, lines, **options):
+def run_meshlab(stage, folder, lines, env=os.environ):
     """MeshLab's exit code after this driver script; its output goes to FOLDER/log."""
-    (folder / "script").write_text("".join(f"{line}\n" for line in lines), errors="surrogateescape")
-    environment = {**options.pop("env", os.environ), "LAPLACIAN_LINES_DRIVER": str(folder / "script")}
+    (folder / "script").write_text("".join(f"{line}\n" for line in lines), encoding="utf-8", errors="surrogateescape")
+    environment = {**env, "LAPLACIAN_LINES_DRIVER": str(folder / "script")}
     with (folder / "log").open("wb") as log:
-        return run([stage / "bin/meshlab"], stdout=log, stderr=log, env=environment, **options)
+        return run([stage / "bin/meshlab"], stdout=log, stderr=log, env=environment)
 
 
 def loading(file):
@@ -64,14 +64,13 @@ def explain_failure(folder, code):
     """Why MeshLab ended, in a line."""
     log = "\n".join(log_lines(folder))
     if found := re.search(r"^meshlab_driver: error: line \d+: load .*\.(.*): time-out", log, re.M):
-        return f"MeshLab's own reader of .{found[1]} files was ended, without progress for {STILL} s; the file may be damaged"
+        return f"the reader of .{found[1]} files was ended, without progress for {STILL} s; the file may be damaged"
     for kind in ("reason", "error"):
         if found := re.findall(f"^meshlab_driver: {kind}: (.*)$", log, re.M):
             return found[-1]
     doing = re.findall(r"^meshlab_driver: line \d+: (.*)$", log, re.M)
     if doing and doing[-1].startswith("load "):
-        return (f"MeshLab's own reader of .{doing[-1].rsplit('.', 1)[-1]} files crashed MeshLab (exit code {code}); the file may be "
-                "damaged")
+        return f"the reader of .{doing[-1].rsplit('.', 1)[-1]} files crashed MeshLab (exit code {code}); the file may be damaged"
     return f"MeshLab ended with code {code}; its last output: {log.splitlines()[-1] if log else ''}"
 
 
@@ -100,11 +99,12 @@ def framing(names, up):
 def open_window(stage, folder, names, settings=(), up=None):
     """Meshes and projects in one window, with the axis `up` upwards, or else the one that is likely to be. MeshLab only
     keeps its dialogs' settings if told to."""
-    openings = [line for number, name in enumerate(names) for line in opening(name, folder / str(number))]
+    # a project after other layers opens in a document of its own, and lines are switched on in the one shown
+    openings = [line for number, name in enumerate(names)
+                for line in (*opening(name, folder / str(number)), "draw-all-lines")]
     say("opening MeshLab; Laplacian Lines is under Render")
-    code = run_meshlab(stage, folder, [LIMIT, "wait", *openings, "draw-all-lines", "open-parameters",
-                                       *framing(names, up), *settings])
+    code = run_meshlab(stage, folder, [LIMIT, "wait", *openings, "open-parameters", *framing(names, up), *settings])
     if code != 0:
-        opened = re.findall(r"^meshlab_driver: line \d+: (?:load|open-project) (.*)$", "\n".join(log_lines(folder)),
-                            re.M)
-        raise Failure(f"{opened[-1] if opened else ''}: {explain_failure(folder, code)}")
+        done = re.findall(r"^meshlab_driver: line \d+: (.*)$", "\n".join(log_lines(folder)), re.M)
+        opened = re.fullmatch("(?:load|open-project) (.*)", done[-1]) if done else None
+        raise Failure((f"{opened[1]}: " if opened else "") + explain_failure(folder, code))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each threshold keeps and drops, mostly on a plane with a synthetic field, whose only line
-// has known gradient, slope, facing, length and strength; single strokes; a light that is not at
-// the eye.
+// What each threshold of Laplacian lines and contours keeps and drops, mostly on a plane with a
+// synthetic field, whose only line has known gradient, slope, facing, length and strength; single
+// strokes; a light that is not at the eye.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -153,8 +153,8 @@ TEST(SingleStrokes, FollowALightElsewhere) {
     EXPECT_FALSE(is_drawn(-1, view));
 }
 
-/// The measure −l·S l/(‖w‖‖S l‖), w the tangential part of l, goes from nothing at −fading/4 to
-/// full at fading/2.
+/// Opacity rises from 0 where −l·S l/(‖w‖‖S l‖), w the tangential part of l, is −fading/4, to 1
+/// where it is fading/2.
 TEST(SingleStrokes, FadeInFromConvexToConcave) {
     const Eigen::Vector3d l = Eigen::Vector3d(0, 0.6, 0.8);
     for (const double trace : {0.08, 0.03, -0.05, -0.2, -0.4}) {

@@ -122,7 +122,8 @@ TEST(DecorationParameters, MixturesOverrideTicksAndSayWhichKindsHaveTheirOwnColo
             list.addParam(choice("lines", int(i) + 1));
             list.addParam(tick("contours", false));
             const DecorationParameters read = read_valid_parameters(list).chosen;
-            const bool has_colors =  // Publication is black, but for what is shown in its colors
+            const bool has_colors =  // Publication is black but for the mixture that tells all
+                                     // kinds apart by color
                 style == 0 || wanted.colored == laplacian_lines::kinds_with_key_color();
             for (const auto& kind : laplacian_lines::kLineKinds) {
                 EXPECT_EQ(read.style.shows[kind.kind], wanted.kinds[kind.kind])

@@ -43,6 +43,7 @@ TEST_F(PreparedLinesTest, GetDerivativesWithoutBeingPreparedAgain) {
     EXPECT_NE(lines_of(*lines).points.size(), lines_of(*whole).points.size());
 
     const auto surface = lines->surface;
+    EXPECT_EQ(said_.filter("default options").size(), 2) << "each preparation says so";
     said_.clear();
     add_derivatives(*lines, mesh_, "sheet", source, say());
     EXPECT_TRUE(lines->has_derivatives);
@@ -54,7 +55,7 @@ TEST_F(PreparedLinesTest, GetDerivativesWithoutBeingPreparedAgain) {
     EXPECT_EQ(said_.filter("also need").size(), 1);
 }
 
-/// Adding them fails because the mesh is another one.
+/// Adding them fails here because the mesh has another number of vertices than the field.
 TEST_F(PreparedLinesTest, StayAsTheyAreWithoutDerivatives) {
     const auto source = field_source(mesh_);
     const PreparedLinesPointer lines = prepare_lines(mesh_, "sheet", source, say());

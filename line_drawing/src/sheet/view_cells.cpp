@@ -8,7 +8,7 @@
 namespace line_drawing {
 namespace {
 
-constexpr int kOthersInARow = 4;  // as many as six views have columns
+constexpr int kOthersInARow = 4;  // the columns of the six sides: right, front, left, back
 
 /// Around the front view, in first angle, by Side.
 constexpr Cell kCells[] = {{0, 0}, {0, 2}, {0, 1}, {0, -1}, {1, 0}, {-1, 0}, {0, 0}};
@@ -33,7 +33,8 @@ void place_others(const std::vector<DrawnView>& views, bool beside, std::vector<
     }
 }
 
-/// Views whose cell is taken, and then sections: `in_a_row` in rows below all views, if not 0.
+/// Views whose cell is taken, beside or below the front view; then sections, likewise, or if
+/// `in_a_row` is not 0 in rows of so many below all views.
 void place_rest(const std::vector<DrawnView>& views, UpAxis up, int in_a_row,
                 std::vector<Cell>& cells) {
     std::set<std::pair<int, int>> taken;

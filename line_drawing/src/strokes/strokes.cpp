@@ -98,7 +98,8 @@ private:
         if (!is_covered(i, place, 1) && !is_covered(i, place, -1)) edge.push_back(place);
     }
 
-    /// By the pieces before or after a point, as far as they may reach.
+    /// Whether the stroke covers a place by the pieces after (`step` 1) or before (-1) point i,
+    /// over one width along the line.
     bool is_covered(std::size_t i, const Vector2d& place, int step) const {
         const auto count = std::ptrdiff_t(ways_.size());
         std::ptrdiff_t piece = std::ptrdiff_t(i) - (step < 0);

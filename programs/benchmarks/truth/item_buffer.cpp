@@ -10,7 +10,7 @@ namespace benchmarks {
 namespace {
 
 constexpr std::uint32_t kNothing = 0xffffffff;
-constexpr double kSeenFromEdge = 0.05;  // pixels: height of triangles that count as seen edge-on
+constexpr double kSeenFromEdge = 0.05;  // pixels: triangles of less height count as seen edge-on
 constexpr int kMargin = 2;              // pixels of background all around
 
 /// The interval of x in a triangle at a height of the picture.

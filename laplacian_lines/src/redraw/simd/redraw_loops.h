@@ -82,11 +82,12 @@ struct KeptCluster {
     bool may_hold[kMostKindsOfPass];  ///< a line of the kind, by its place in the pass
 };
 
+constexpr unsigned kNumbersOfSlot = 256;  ///< of triangles and edges: more than kClusterNumbers
+
 /// A triangle in which a function changes its sign, by places in the batch: its slot times
 /// kClusterVertices or kNumbersOfSlot, and numbers of vertices, or of triangles and edges. The
 /// crossing where the line leaves lies between vertices exit[0], where the function is negative,
 /// and exit[1]; likewise where it enters. Apparent ridges have no signs: the ends are in any order.
-constexpr unsigned kNumbersOfSlot = 256;
 struct alignas(16) ActiveTriangle {
     std::uint16_t exit[2], third;  ///< and the vertex not in exit
     std::uint16_t own;             ///< the triangle
@@ -136,9 +137,12 @@ struct CrossingMemory {
     std::uint16_t ends[kPlaces][2];                    ///< places of vertices, negative first
     alignas(64) float below[kPlaces], above[kPlaces];  ///< values at the ends
     alignas(64) float share[kPlaces];                  ///< of the second end, 0..1
-    alignas(64) float facing[kPlaces], lit[kPlaces];   ///< n·eye; n·l with the kind's source() l
+    /// n·l with the kind's source() l; n·eye, only where l is a light elsewhere: else `lit` is
+    /// that.
+    alignas(64) float lit[kPlaces], facing[kPlaces];
     alignas(64) float position[3][kPlaces];
-    alignas(64) float g[3][kPlaces];  ///< ∇I = S l; after the kind's test() d, see SegmentSlope
+    alignas(64) float g[3][kPlaces];  ///< ∇I = S l; after a test() whose kSlope is not Scaled d,
+                                      ///< see SegmentSlope
     alignas(64) float gradient[kPlaces], opacity[kPlaces];
     alignas(64) float concave[kPlaces];  ///< of whole lines: −l·Sl/‖t‖ of l's tangential part t
     std::uint64_t accepted[kPlaces / 64 + 1];  ///< a bit for each
@@ -155,7 +159,7 @@ struct SegmentMemory {
     alignas(64) float u[3][kPlaces];  ///< first to second corner
     alignas(64) float v[3][kPlaces];  ///< first to third corner
     alignas(64) float fu[kPlaces], fv[kPlaces];  ///< differences of the function
-    alignas(64) float slope[kPlaces];            ///< < 0: refused
+    alignas(64) float slope[kPlaces];            ///< < 0: refused, or of whole lines a phantom
     alignas(64) float sums[kPlaces][4];          ///< as in Strip
     std::uint16_t next[kPlaces];   ///< segment, or kNone; the last place takes what has none before
     std::uint16_t first[kPlaces];  ///< segments that follow on none
@@ -184,7 +188,8 @@ struct SimdMemory {
 /// How the kinds of one of kStripPasses are found.
 struct StripFunctions {
     /// Writes to `kept` those of the clusters [begin, end) that can hold a line, and returns their
-    /// number. Both are multiples of kFormGroup, or the end of all.
+    /// number. `begin` and `end` are multiples of kFormGroup, or the end of all; `kept` needs a
+    /// place for each cluster.
     std::size_t (*cull)(const ClusterStore&, const ExtractionTask&, std::size_t begin,
                         std::size_t end, KeptCluster* kept);
     /// Finds the strips of up to kBatch clusters; an output for each kind of the pass.
