@@ -42,8 +42,8 @@ public:
         std::vector<std::uint32_t> nodes, pieces;
         bool is_closed;  ///< the last node is the first again
     };
-    /// Lines end at nodes where other than two pieces meet. They begin at an end where their piece
-    /// begins, if there is one; closed ones come last.
+    /// Lines end at nodes where other than two pieces meet. Of its two ends a line begins at one
+    /// where its piece begins, if there is one; closed lines come last.
     std::vector<Line> lines() const;
     /// By line, the number of its net: a node of it, the same for all lines that are connected.
     std::vector<std::uint32_t> nets(const std::vector<Line>& lines) const;

@@ -50,7 +50,8 @@ private:
     GridNode* first_node_ = nullptr;
 };
 
-/// Blocks that a convolution may reach to either side: the finest grid_resolution() takes 12.
+/// Blocks that a convolution may reach to either side: resolutions that are exact take 12 at most;
+/// grid_cost() keeps the others, up to 28, from being used.
 constexpr int kMaxReach = 16;
 
 /// Convolves masses on a grid with one kernel, along x and y inside slabs and along z across them,

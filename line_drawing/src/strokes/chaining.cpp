@@ -136,7 +136,7 @@ private:
         return all_.is_near(end.position, end.line, kSamePlace * pen_);
     }
 
-    /// Whether another line is nearer than theirs anywhere on the way.
+    /// Whether another line comes within half a pen of the way, nearer than theirs.
     bool is_crossed(const End& a, const End& b) const {
         constexpr int samples = int(kLongestGap) - 1;  // a pen apart at most
         for (int i = 1; i <= samples; ++i) {
@@ -208,7 +208,8 @@ private:
         return result;
     }
 
-    /// Lines that meet may overshoot each other.
+    /// Lines that meet may overshoot each other, or hook back. A sharp corner may lose up to two
+    /// pens by this, and moves by one.
     void cut_overlap(const std::vector<DrawnPoint>& before, std::vector<DrawnPoint>& points) const {
         const std::size_t n = before.size();
         if (n < 2) return;
@@ -239,7 +240,8 @@ private:
         return pens_[std::size_t(c == LineClass::Fine ? LineClass::Inner : c)];
     }
 
-    /// Averages widths across the seam. `places`: of the points, along the line.
+    /// Leads from the mean width before the seam to that after it. `places`: of the points, along
+    /// the line.
     void blend(const std::vector<double>& places, double seam,
                std::vector<DrawnPoint>& points) const {
         const double reach = kSwelling * pen_;
