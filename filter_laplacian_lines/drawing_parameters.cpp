@@ -30,7 +30,7 @@ const std::vector<SheetOption>& filter_options() {
 
 /// In world coordinates.
 double diagonal_of(const MeshModel& layer) {
-    return meshlab_host::mean_scale(meshlab_host::layer_transform(layer.cm)) *
+    return laplacian_lines::mean_scale(meshlab_host::layer_transform(layer.cm)) *
            double(layer.cm.bbox.Diag());
 }
 

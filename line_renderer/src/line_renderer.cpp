@@ -11,6 +11,7 @@
 
 #include "gl_functions.h"
 #include "gl_state.h"
+#include "laplacian_lines/view.h"
 #include "line_buffers.h"
 #include "line_shaders.h"
 #include "line_stream.h"
@@ -76,8 +77,8 @@ void set_placement(const ShaderProgram& program, const LinePlacement& placement,
     // around them; the texture has no marks, and is enough where it is complete.
     const double to_horizon =
         placement.depths.is_complete ? 0 : kHalfDiagonal * placement.mark_pixels + radius;
-    program.set("mark_reach",
-                float(placement.diagonal * mean_scale(placement.to_eye) * to_horizon));
+    program.set("mark_reach", float(placement.diagonal *
+                                    laplacian_lines::mean_scale(placement.to_eye) * to_horizon));
     glBindTexture(GL_TEXTURE_2D, placement.depths.id);
     program.set("surface_depth", 0);
     const auto [x, y, width, height] = current_viewport();

@@ -12,6 +12,7 @@
 
 #include "laplacian_lines/line_visibility.h"
 #include "laplacian_lines/threads.h"
+#include "laplacian_lines/view.h"
 #include "straight_piece.h"
 
 namespace line_renderer {
@@ -237,7 +238,7 @@ LineRadii line_radii(const LineAppearance& appearance, double pixel_scale) {
 }
 
 double line_clearance(std::size_t look, const LinePlacement& placement) {
-    return mean_scale(placement.to_eye) *
+    return laplacian_lines::mean_scale(placement.to_eye) *
            laplacian_lines::depth_bias(laplacian_lines::kLineKinds[look].kind, placement.diagonal,
                                        placement.depth_bias_edge);
 }

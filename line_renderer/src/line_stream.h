@@ -7,12 +7,9 @@
 #include <vector>
 
 #include "laplacian_lines/line_set.h"
-#include "laplacian_lines/view.h"
 #include "line_renderer/line_renderer.h"
 
 namespace line_renderer {
-
-using laplacian_lines::mean_scale;
 
 /// Half widths at full weight by kind, pixels.
 using LineRadii = std::array<float, laplacian_lines::kLineKindCount>;

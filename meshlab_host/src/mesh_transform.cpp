@@ -35,7 +35,7 @@ void apply_transform(const Eigen::Matrix4d& layer, TriangleMesh& mesh) {
     const Eigen::Matrix3d of_normals = linear.inverse().transpose();
     for (Eigen::Vector3d& n : mesh.normals)
         n = (of_normals * n).stableNormalized();
-    mesh.known_edge *= mean_scale(layer);
+    mesh.known_edge *= laplacian_lines::mean_scale(layer);
     if (determinant < 0)
         for (laplacian_lines::Triangle& triangle : mesh.triangles)
             std::swap(triangle[1], triangle[2]);
@@ -65,7 +65,8 @@ void apply_transform(const Eigen::Matrix4d& layer, laplacian_lines::PrecomputeOp
     if (!field) return;
     if (const std::optional<Similarity> similarity = similarity_of(layer))
         return apply_transform(*similarity, *field);
-    options.kernel_size *= mean_scale(layer);  // lengths now depend on the direction
+    options.kernel_size *=
+        laplacian_lines::mean_scale(layer);  // lengths now depend on the direction
     field = laplacian_lines::precompute(mesh, options, progress);
 }
 

@@ -39,8 +39,6 @@ std::optional<Similarity> similarity_of(const Eigen::Matrix4d& transform);
 /// Refuses a layer's transformation that is singular. @throws laplacian_lines::Error(InvalidOption)
 [[noreturn]] void refuse_transform();
 
-using laplacian_lines::mean_scale;
-
 /// The view, in mesh coordinates, of an eye in homogeneous world coordinates: (position, 1), or
 /// (direction towards the viewer, 0). `to_world`, from the mesh, may scale or reflect.
 /// @throws laplacian_lines::Error(InvalidOption) if it is singular
